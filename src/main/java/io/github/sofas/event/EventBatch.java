@@ -1,0 +1,83 @@
+package io.github.sofas.event;
+
+/**
+ * A run of events in parallel arrays, made once and filled again and again.
+ *
+ * <p>Axes: x right, y down, origin top left, in pixels. Time in µs, never falling within a recording.
+ * The arrays are open so that readers fill them and the engine walks them without a call per event; only the first
+ * {@link #size()} entries mean anything.
+ */
+public final class EventBatch {
+    /** Time of each event in µs. */
+    public final long[] timeUs;
+    /** Column of each event, from 0 at the left. */
+    public final short[] x;
+    /** Row of each event, from 0 at the top. */
+    public final short[] y;
+    /** +1 for a rise of brightness (ON), -1 for a fall (OFF). */
+    public final byte[] polarity;
+
+    private int size;
+
+    /**
+     * Makes an empty batch.
+     *
+     * @param capacity the most events that it can hold, at least 1
+     * @throws IllegalArgumentException where the capacity is smaller
+     */
+    public EventBatch(int capacity) {
+        if (capacity < 1) {
+            throw new IllegalArgumentException("capacity must be at least 1 but was " + capacity);
+        }
+        timeUs = new long[capacity];
+        x = new short[capacity];
+        y = new short[capacity];
+        polarity = new byte[capacity];
+    }
+
+    /** The most events that fit. */
+    public int capacity() {
+        return timeUs.length;
+    }
+
+    /** How many events are held. */
+    public int size() {
+        return size;
+    }
+
+    /** Whether no further event fits. */
+    public boolean isFull() {
+        return size == timeUs.length;
+    }
+
+    /** Forgets all events. */
+    public void clear() {
+        size = 0;
+    }
+
+    /**
+     * Appends one event.
+     *
+     * @throws ArrayIndexOutOfBoundsException where the batch is full
+     */
+    public void add(long eventTimeUs, int eventX, int eventY, int eventPolarity) {
+        int i = size;
+        timeUs[i] = eventTimeUs;
+        x[i] = (short) eventX;
+        y[i] = (short) eventY;
+        polarity[i] = (byte) eventPolarity;
+        size = i + 1;
+    }
+
+    /**
+     * Says how many entries are valid, after a caller wrote the arrays itself.
+     *
+     * @throws IllegalArgumentException where the size is negative or above the capacity
+     */
+    public void setSize(int newSize) {
+        if (newSize < 0 || newSize > timeUs.length) {
+            throw new IllegalArgumentException("size must be between 0 and " + timeUs.length + " but was " + newSize);
+        }
+        size = newSize;
+    }
+}

@@ -1,0 +1,38 @@
+package io.github.sofas.event;
+
+/**
+ * The pixel array of a sensor.
+ *
+ * @param width columns, 1 to {@value #MAX_WIDTH}
+ * @param height rows, 1 to {@value #MAX_HEIGHT}
+ */
+public record SensorSize(int width, int height) {
+    /** Columns of the largest sensor that is served. */
+    public static final int MAX_WIDTH = 1280;
+    /** Rows of the largest sensor that is served. */
+    public static final int MAX_HEIGHT = 720;
+
+    /**
+     * Checks both sides.
+     *
+     * @throws IllegalArgumentException where a side is outside its range
+     */
+    public SensorSize {
+        if (width < 1 || width > MAX_WIDTH) {
+            throw new IllegalArgumentException("sensor width must be between 1 and " + MAX_WIDTH + " but was " + width);
+        }
+        if (height < 1 || height > MAX_HEIGHT) {
+            throw new IllegalArgumentException("sensor height must be between 1 and " + MAX_HEIGHT + " but was " + height);
+        }
+    }
+
+    /** Whether a pixel lies on the sensor. */
+    public boolean contains(int x, int y) {
+        return x >= 0 && x < width && y >= 0 && y < height;
+    }
+
+    @Override
+    public String toString() {
+        return width + "x" + height;
+    }
+}

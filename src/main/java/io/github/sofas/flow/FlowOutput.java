@@ -1,0 +1,34 @@
+package io.github.sofas.flow;
+
+/**
+ * Flow and segment of each event of a batch, in the caller's arrays: entry i belongs to event i of the batch that was
+ * processed last. Made once and reused; every call overwrites it.
+ */
+public final class FlowOutput {
+    /** Velocity to the right in px/s; 0 where {@link #segment} is 0. */
+    public final float[] vxPxPerS;
+    /** Velocity downwards in px/s; 0 where {@link #segment} is 0. */
+    public final float[] vyPxPerS;
+    /** Id of the segment, from 1; 0 where the event has no flow. */
+    public final int[] segment;
+
+    /**
+     * Makes the arrays.
+     *
+     * @param capacity the size of the largest batch, at least 1
+     * @throws IllegalArgumentException where the capacity is smaller
+     */
+    public FlowOutput(int capacity) {
+        if (capacity < 1) {
+            throw new IllegalArgumentException("capacity must be at least 1 but was " + capacity);
+        }
+        vxPxPerS = new float[capacity];
+        vyPxPerS = new float[capacity];
+        segment = new int[capacity];
+    }
+
+    /** The largest batch that can be labelled. */
+    public int capacity() {
+        return segment.length;
+    }
+}

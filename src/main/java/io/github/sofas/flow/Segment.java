@@ -1,0 +1,31 @@
+package io.github.sofas.flow;
+
+/**
+ * What is known of one track plane: a structure that moves as a whole. Immutable, a snapshot.
+ *
+ * @param id from 1, never used again before a reset
+ * @param firstTimeUs time of its first event in µs
+ * @param lastTimeUs time of its last event in µs
+ * @param events how many events were assigned to it
+ * @param vxPxPerS last velocity to the right in px/s
+ * @param vyPxPerS last velocity downwards in px/s
+ * @param minX leftmost column of its contour at its last event; the box is on the sensor
+ * @param minY topmost row
+ * @param maxX rightmost column, inclusive
+ * @param maxY bottom row, inclusive
+ * @param fate what became of it
+ * @param mergedInto id of the segment that took it over; 0 unless {@link Fate#MERGED}
+ */
+public record Segment(int id, long firstTimeUs, long lastTimeUs, long events, float vxPxPerS, float vyPxPerS,
+                      int minX, int minY, int maxX, int maxY, Fate fate, int mergedInto) {
+
+    /** What became of a track plane. */
+    public enum Fate {
+        /** It was tracked at the last event seen. */
+        ALIVE,
+        /** Another track plane described the same structure and took its events. */
+        MERGED,
+        /** It got too few events for its speed and contour, or left the sensor. */
+        REMOVED
+    }
+}
