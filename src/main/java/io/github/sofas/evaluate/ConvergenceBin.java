@@ -1,0 +1,54 @@
+package io.github.sofas.evaluate;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How good the flow is a given time after an object appeared, over all objects. An object appears with its first event
+ * in the recording; nothing is left out at the beginning.
+ *
+ * @param fromUs time since appearance at which the bin begins, in µs
+ * @param untilUs at which it ends, exclusive, in µs
+ * @param events object events in the bin
+ * @param eventsWithFlow those of them that have flow
+ * @param meanMagnitudeErrorPercent mean signed magnitude error in %, 0 where no event has flow
+ * @param meanAngularErrorDeg mean unsigned angular error in degrees, 0 where no event has flow
+ * @param meanEndpointErrorPxPerS mean endpoint error in px/s, 0 where no event has flow
+ * @param meanRelativeEndpointErrorPercent mean relative endpoint error in %, 0 where no event has flow
+ */
+public record ConvergenceBin(long fromUs, long untilUs, long events, long eventsWithFlow,
+                             double meanMagnitudeErrorPercent, double meanAngularErrorDeg,
+                             double meanEndpointErrorPxPerS, double meanRelativeEndpointErrorPercent) {
+
+    static List<ConvergenceBin> of(GroundTruth truth, FlowEstimate estimate, ObjectIds ids,
+                                   EvaluationOptions options) {
+        FlowFigures.Gatherer[] bins = new FlowFigures.Gatherer[options.convergenceBins()];
+        for (int b = 0; b < bins.length; b++) {
+            bins[b] = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS);
+        }
+        for (int i = 0; i < truth.size(); i++) {
+            int object = ids.indexOf(i);
+            if (object < 0) {
+                continue;
+            }
+            long bin = (truth.timeUs()[i] - truth.timeUs()[ids.firstEvent(object)]) / options.convergenceBinUs();
+            if (bin < bins.length) {
+                bins[(int) bin].add(truth, estimate, i);
+            }
+        }
+        List<ConvergenceBin> result = new ArrayList<>();
+        for (int b = 0; b < bins.length; b++) {
+            FlowFigures figures = bins[b].figures();
+            result.add(new ConvergenceBin(b * options.convergenceBinUs(), (b + 1) * options.convergenceBinUs(),
+                    figures.events(), figures.eventsWithFlow(), figures.magnitudeErrorPercent().mean(),
+                    figures.angularErrorDeg().mean(), figures.endpointErrorPxPerS().mean(),
+                    figures.relativeEndpointErrorPercent().mean()));
+        }
+        return List.copyOf(result);
+    }
+
+    /** Share of the bin's events that have flow. */
+    public double shareWithFlow() {
+        return FlowFigures.share(eventsWithFlow, events);
+    }
+}

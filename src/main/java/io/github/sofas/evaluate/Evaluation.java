@@ -1,0 +1,107 @@
+package io.github.sofas.evaluate;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * All figures of one estimate against its truth. An event counts in the flow, noise and segmentation figures where its
+ * time is at least first + skipFirstShare (last - first); convergence and first labels are over the whole recording.
+ *
+ * @param options what was counted
+ * @param events events of the recording
+ * @param eventsCounted those after the share that was left out
+ * @param noiseEvents noise events that count
+ * @param noiseEventsWithFlow those of them that have flow
+ * @param flow flow figures over all objects
+ * @param flowByObject flow figures of each object, by rising id
+ * @param segmentation segmentation figures over all objects
+ * @param segmentationByObject segmentation figures of each object, by rising id
+ * @param convergence error over the time since appearance
+ */
+public record Evaluation(EvaluationOptions options, long events, long eventsCounted, long noiseEvents,
+                         long noiseEventsWithFlow, FlowFigures flow, List<FlowFigures> flowByObject,
+                         SegmentationFigures segmentation, List<SegmentationFigures> segmentationByObject,
+                         List<ConvergenceBin> convergence) {
+
+    /**
+     * Computes all figures.
+     *
+     * @throws IllegalArgumentException where truth and estimate are not of equally many events
+     */
+    public static Evaluation of(GroundTruth truth, FlowEstimate estimate, EvaluationOptions options) {
+        int n = truth.size();
+        if (estimate.size() != n) {
+            throw new IllegalArgumentException("estimate must have as many events as the truth, " + n + ", but has "
+                    + estimate.size());
+        }
+        ObjectIds ids = new ObjectIds(truth);
+        int start = firstCounted(truth, options.skipFirstShare());
+        FlowFigures.Gatherer all = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS);
+        FlowFigures.Gatherer[] byObject = new FlowFigures.Gatherer[ids.count()];
+        for (int o = 0; o < byObject.length; o++) {
+            byObject[o] = new FlowFigures.Gatherer(ids.id(o));
+        }
+        long noise = 0;
+        long noiseWithFlow = 0;
+        for (int i = start; i < n; i++) {
+            int object = ids.indexOf(i);
+            if (object >= 0) {
+                all.add(truth, estimate, i);
+                byObject[object].add(truth, estimate, i);
+            } else {
+                noise++;
+                noiseWithFlow += estimate.hasFlow(i) ? 1 : 0;
+            }
+        }
+        List<FlowFigures> flowByObject = new ArrayList<>();
+        for (FlowFigures.Gatherer object : byObject) {
+            flowByObject.add(object.figures());
+        }
+        SegmentationFigures.Gatherer segmentation = segmentation(truth, estimate, ids, start, options.windowUs());
+        List<SegmentationFigures> segmentationByObject = new ArrayList<>();
+        for (int o = 0; o < ids.count(); o++) {
+            segmentationByObject.add(segmentation.figures(o));
+        }
+        return new Evaluation(options, n, n - start, noise, noiseWithFlow, all.figures(), List.copyOf(flowByObject),
+                segmentation.figuresOfAll(), List.copyOf(segmentationByObject),
+                ConvergenceBin.of(truth, estimate, ids, options));
+    }
+
+    private static int firstCounted(GroundTruth truth, double skipFirstShare) {
+        int n = truth.size();
+        if (n == 0) {
+            return 0;
+        }
+        long first = truth.timeUs()[0];
+        double from = first + skipFirstShare * (truth.timeUs()[n - 1] - first);
+        int i = 0;
+        while (i < n && truth.timeUs()[i] < from) {
+            i++;
+        }
+        return i;
+    }
+
+    private static SegmentationFigures.Gatherer segmentation(GroundTruth truth, FlowEstimate estimate, ObjectIds ids,
+                                                             int start, long windowUs) {
+        SegmentationFigures.Gatherer gatherer = new SegmentationFigures.Gatherer(truth, estimate, ids);
+        int n = truth.size();
+        int from = start;
+        while (from < n) {
+            // Windows begin at whole multiples after the first event that counts; empty ones are passed over.
+            long elapsed = truth.timeUs()[from] - truth.timeUs()[start];
+            long end = truth.timeUs()[start] + (elapsed / windowUs + 1) * windowUs;
+            int until = from + 1;
+            while (until < n && truth.timeUs()[until] < end) {
+                until++;
+            }
+            gatherer.addWindow(from, until);
+            from = until;
+        }
+        return gatherer;
+    }
+
+    /** Share of the noise events that have flow. */
+    public double noiseShareWithFlow() {
+        return FlowFigures.share(noiseEventsWithFlow, noiseEvents);
+    }
+}

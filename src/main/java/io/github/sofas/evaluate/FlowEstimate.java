@@ -1,0 +1,85 @@
+package io.github.sofas.evaluate;
+
+import io.github.sofas.flow.FlowOutput;
+import java.util.Arrays;
+
+/** What a method said of each event of a recording, gathered batch by batch. */
+public final class FlowEstimate {
+    private float[] vxPxPerS;
+    private float[] vyPxPerS;
+    private int[] segment;
+    private int size;
+
+    /** Makes an empty one. */
+    public FlowEstimate() {
+        this(new float[1024], new float[1024], new int[1024], 0);
+    }
+
+    private FlowEstimate(float[] vxPxPerS, float[] vyPxPerS, int[] segment, int size) {
+        this.vxPxPerS = vxPxPerS;
+        this.vyPxPerS = vyPxPerS;
+        this.segment = segment;
+        this.size = size;
+    }
+
+    /**
+     * Makes one on arrays that are already complete; they are held, not copied.
+     *
+     * @param vxPxPerS velocity to the right in px/s
+     * @param vyPxPerS velocity downwards in px/s
+     * @param segment id of the segment, 0 where the event has no flow
+     * @throws IllegalArgumentException where lengths differ
+     */
+    public static FlowEstimate of(float[] vxPxPerS, float[] vyPxPerS, int[] segment) {
+        if (vxPxPerS.length != segment.length || vyPxPerS.length != segment.length) {
+            throw new IllegalArgumentException("estimate arrays must have one length but have " + vxPxPerS.length
+                    + ", " + vyPxPerS.length + " and " + segment.length);
+        }
+        return new FlowEstimate(vxPxPerS, vyPxPerS, segment, segment.length);
+    }
+
+    /**
+     * Appends the labels of a batch.
+     *
+     * @param output what the method wrote
+     * @param count how many of its entries belong to events
+     */
+    public void append(FlowOutput output, int count) {
+        int needed = size + count;
+        if (needed > segment.length) {
+            int capacity = Math.max(needed, size + (size >> 1));
+            vxPxPerS = Arrays.copyOf(vxPxPerS, capacity);
+            vyPxPerS = Arrays.copyOf(vyPxPerS, capacity);
+            segment = Arrays.copyOf(segment, capacity);
+        }
+        System.arraycopy(output.vxPxPerS, 0, vxPxPerS, size, count);
+        System.arraycopy(output.vyPxPerS, 0, vyPxPerS, size, count);
+        System.arraycopy(output.segment, 0, segment, size, count);
+        size = needed;
+    }
+
+    /** How many events there are. */
+    public int size() {
+        return size;
+    }
+
+    /** Velocity of event i to the right in px/s; means something only where {@link #hasFlow}. */
+    public float vxPxPerS(int i) {
+        return vxPxPerS[i];
+    }
+
+    /** Velocity of event i downwards in px/s. */
+    public float vyPxPerS(int i) {
+        return vyPxPerS[i];
+    }
+
+    /** Segment of event i, 0 where it has none. */
+    public int segment(int i) {
+        return segment[i];
+    }
+
+    /** Whether event i was given a velocity. */
+    public boolean hasFlow(int i) {
+        return segment[i] != 0;
+    }
+}

@@ -1,0 +1,12 @@
+/**
+ * How right flow and segments are, against truth. Open {@link io.github.sofas.evaluate.Evaluation} first: it takes the
+ * truth and the estimate of every event and gives all figures. The formulas stand in
+ * {@link io.github.sofas.evaluate.FlowFigures}, {@link io.github.sofas.evaluate.SegmentationFigures} and
+ * {@link io.github.sofas.evaluate.ConvergenceBin}.
+ *
+ * <p>Conventions are those of jAER's motion flow statistics (Rueckauer and Delbruck, "Evaluation of event-based
+ * algorithms for optical flow with ground-truth from inertial measurement sensor", Frontiers in Neuroscience, 2016)
+ * where it has any: errors over the events that have flow, standard deviations with n - 1, quartiles at the positions
+ * p (n + 1), outliers by 3 px at 45 frames per second. Each deviation is named where it is made.
+ */
+package io.github.sofas.evaluate;
