@@ -22,7 +22,8 @@ public record SensorSize(int width, int height) {
             throw new IllegalArgumentException("sensor width must be between 1 and " + MAX_WIDTH + " but was " + width);
         }
         if (height < 1 || height > MAX_HEIGHT) {
-            throw new IllegalArgumentException("sensor height must be between 1 and " + MAX_HEIGHT + " but was " + height);
+            throw new IllegalArgumentException(
+                "sensor height must be between 1 and " + MAX_HEIGHT + " but was " + height);
         }
     }
 

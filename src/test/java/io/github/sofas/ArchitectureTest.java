@@ -1,0 +1,79 @@
+package io.github.sofas;
+
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static org.junit.Assert.assertEquals;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.Test;
+
+/** Holds the arrows between the packages: who may see whom. */
+public class ArchitectureTest {
+    private static final String ROOT = "io.github.sofas";
+
+    /** For each package the packages of ours that it may see besides itself. A new package is entered here. */
+    private static final Map<String, Set<String>> MAY_SEE = Map.of(
+        "event", Set.of(),
+        "flow", Set.of("event"),
+        "recording", Set.of("event"),
+        "export", Set.of("event", "flow"),
+        "render", Set.of("event", "flow"),
+        "baseline", Set.of("event", "flow"),
+        "simulate", Set.of("event"),
+        "evaluate", Set.of("event", "flow", "recording", "export", "baseline", "simulate"),
+        "cli", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate", "evaluate"));
+
+    private static final JavaClasses MAIN = new ClassFileImporter()
+        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+        .importPackages(ROOT);
+
+    @Test
+    public void everyPackageSeesOnlyWhatItsArrowsAllow() {
+        MAY_SEE.forEach((name, seen) -> {
+            String[] allowed = new TreeSet<>(seen).stream().map(ArchitectureTest::packages).toArray(String[]::new);
+            noClasses().that().resideInAPackage(packages(name))
+                .should().dependOnClassesThat(resideInAPackage(ROOT + "..")
+                    .and(not(resideInAPackage(packages(name))))
+                    .and(not(resideInAnyPackage(allowed))))
+                .allowEmptyShould(true)
+                .because(name + " may see " + new TreeSet<>(seen))
+                .check(MAIN);
+        });
+    }
+
+    @Test
+    public void everyPackageHasItsArrows() {
+        Set<String> unknown = new TreeSet<>();
+        for (JavaClass type : MAIN) {
+            String inside = type.getPackageName().substring(ROOT.length()).replaceFirst("^\\.", "");
+            String top = inside.split("\\.")[0];
+            if (!MAY_SEE.containsKey(top)) {
+                unknown.add(type.getName());
+            }
+        }
+        assertEquals("classes in packages without an entry in MAY_SEE", Set.of(), unknown);
+    }
+
+    @Test
+    public void eventAndFlowNeedNothingButTheLanguage() {
+        classes().that().resideInAnyPackage(packages("event"), packages("flow"))
+            .should().onlyDependOnClassesThat(resideInAnyPackage(
+                packages("event"), packages("flow"), "java.lang..", "java.util"))
+            .andShould().onlyDependOnClassesThat(not(resideInAnyPackage("java.util.zip..", "java.lang.foreign..")))
+            .because("the core is pure computation that any program can embed")
+            .check(MAIN);
+    }
+
+    private static String packages(String name) {
+        return ROOT + "." + name + "..";
+    }
+}
