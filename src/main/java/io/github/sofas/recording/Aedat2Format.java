@@ -1,0 +1,52 @@
+package io.github.sofas.recording;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+
+/**
+ * AEDAT 1.0 and 2.0, as jAER writes them: header lines that start with {@code #}, then records, big-endian, of an
+ * address and a signed 32-bit time in µs. An address has 16 bits in 1.0 and 32 in 2.0. Raw x of all chips runs from
+ * right to left and raw y from the bottom up.
+ *
+ * <p>Source: jAER (SensorsINI/jaer a1db449505), DVS128 and DavisBaseCamera.
+ */
+final class Aedat2Format {
+    static final String CHIP_LINE = "# AEChip: ";
+    static final String END_LINE = "#End Of ASCII Header";
+
+    static final int RECORD_BYTES_1 = 6;
+    static final int RECORD_BYTES_2 = 8;
+
+    static final VarHandle INT = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
+    static final VarHandle SHORT = MethodHandles.byteArrayViewVarHandle(short[].class, ByteOrder.BIG_ENDIAN);
+
+    /** Bits 15 and 31 of a DVS128 address mark an external or synchronisation event. */
+    static final int DVS128_SPECIAL = 0x80008000;
+    static final int DVS128_OFF = 1;
+    static final int DVS128_X_SHIFT = 1;
+    static final int DVS128_Y_SHIFT = 8;
+    static final int DVS128_MASK = 0x7F;
+    /** Address bits that no DVS128 sets. */
+    static final int DVS128_UNUSED = 0x7FFF0000;
+
+    /** Bit 31 of a DAVIS address: an intensity sample or a word of an IMU sample. */
+    static final int DAVIS_NOT_DVS = 0x80000000;
+    static final int DAVIS_SPECIAL = 1 << 10;
+    static final int DAVIS_ON_SHIFT = 11;
+    static final int DAVIS_X_SHIFT = 12;
+    static final int DAVIS_X_MASK = 0x3FF;
+    static final int DAVIS_Y_SHIFT = 22;
+    static final int DAVIS_Y_MASK = 0x1FF;
+    static final int DAVIS_IMU = 0x80000C00;
+    static final int IMU_CODE_SHIFT = 28;
+    static final int IMU_CODE_MASK = 7;
+    /** Words of one IMU sample, with codes 0 to 6. */
+    static final int IMU_WORDS = 7;
+
+    /** What one overflow of 32-bit time is worth in µs. */
+    static final long WRAP_US = 1L << 32;
+
+    private Aedat2Format() {
+    }
+}

@@ -1,0 +1,202 @@
+package io.github.sofas.recording;
+
+import static io.github.sofas.recording.Aedat2Format.*;
+
+import io.github.sofas.event.EventBatch;
+import java.io.IOException;
+
+/**
+ * Reads AEDAT 2.0, and AEDAT 1.0, which differs by its 16-bit addresses only. Holds one file buffer.
+ *
+ * <p>Time: a step from a positive to a zero or negative time is an overflow, as in jAER; any other step back is one.
+ * Recordings that lie wholly in negative time stay there.
+ */
+final class Aedat2Reader extends RecordingReader {
+    /** Stands for the next code after a spoiled IMU sample, whose rest is passed over. */
+    private static final int SKIP_TO_NEXT_IMU = -1;
+
+    private final int recordBytes;
+    private final Chip.AddressLayout layout;
+
+    /** What the overflows so far are worth, µs. */
+    private long wrapUs;
+    /** Time of the last event as the file holds it. */
+    private int lastRawTime;
+    /** Code that the next word of an IMU sample must have; 0 between samples. */
+    private int nextImuCode;
+
+    Aedat2Reader(RecordingFile file, RecordingOptions options, String formatName, int recordBytes, String chipName,
+                 Chip chip) {
+        super(file, options, formatName, chipName, chip.sensor());
+        this.recordBytes = recordBytes;
+        this.layout = chip.layout();
+    }
+
+    @Override
+    boolean decode(EventBatch batch) throws IOException, MalformedRecordingException {
+        if (!file.require(recordBytes)) {
+            if (nextImuCode > 0) {
+                int words = nextImuCode;
+                addFault("imu", () -> at(eventNumber(0), file.offset()) + "truncated, an IMU sample must have "
+                        + IMU_WORDS + " words but had " + words);
+                nextImuCode = 0;
+            }
+            if (file.available() > 0) {
+                throw malformed(eventNumber(0), file.offset(), "truncated, a record must have " + recordBytes
+                        + " bytes but had " + file.available());
+            }
+            return false;
+        }
+        if (layout == Chip.AddressLayout.DVS128) {
+            decodeDvs128(batch);
+        } else {
+            decodeDavis(batch);
+        }
+        return true;
+    }
+
+    /** x and y have 7 bits each on a sensor of 128 x 128, so no event can lie outside. */
+    private void decodeDvs128(EventBatch batch) throws MalformedRecordingException {
+        byte[] buffer = file.buffer;
+        int stride = recordBytes;
+        int timeAt = stride - Integer.BYTES;
+        int lastRecord = file.limit - stride;
+        int p = file.position;
+        long[] timeUs = batch.timeUs;
+        short[] x = batch.x;
+        short[] y = batch.y;
+        byte[] polarity = batch.polarity;
+        int capacity = batch.capacity();
+        int n = 0;
+        long last = lastTimeUs;
+        long wrap = wrapUs;
+        int lastRaw = lastRawTime;
+        try {
+            for (; p <= lastRecord && n < capacity; p += stride) {
+                int address = stride == RECORD_BYTES_1 ? (short) SHORT.get(buffer, p) & 0xFFFF : (int) INT.get(buffer, p);
+                int raw = (int) INT.get(buffer, p + timeAt);
+                if ((address & (DVS128_SPECIAL | DVS128_UNUSED)) != 0) {
+                    if ((address & DVS128_SPECIAL) != 0) {
+                        triggers++;
+                        continue;
+                    }
+                    strangeAddress(address, n, p);
+                }
+                long time = raw + wrap;
+                if (time < last) {
+                    lastRawTime = lastRaw;
+                    lastTimeUs = last;
+                    time = orderedTime(raw, n, p);
+                    wrap = wrapUs;
+                }
+                lastRaw = raw;
+                last = time;
+                timeUs[n] = time;
+                x[n] = (short) (DVS128_MASK - (address >>> DVS128_X_SHIFT & DVS128_MASK));
+                y[n] = (short) (DVS128_MASK - (address >>> DVS128_Y_SHIFT & DVS128_MASK));
+                polarity[n] = (byte) (1 - 2 * (address & DVS128_OFF));
+                n++;
+            }
+        } finally {
+            lastRawTime = lastRaw;
+            file.position = p;
+            deliver(batch, n, last);
+        }
+    }
+
+    private void decodeDavis(EventBatch batch) throws MalformedRecordingException {
+        byte[] buffer = file.buffer;
+        int lastRecord = file.limit - RECORD_BYTES_2;
+        int p = file.position;
+        long[] timeUs = batch.timeUs;
+        short[] x = batch.x;
+        short[] y = batch.y;
+        byte[] polarity = batch.polarity;
+        int capacity = batch.capacity();
+        int lastColumn = sensor().width() - 1;
+        int lastRow = sensor().height() - 1;
+        int n = 0;
+        long last = lastTimeUs;
+        long wrap = wrapUs;
+        int lastRaw = lastRawTime;
+        try {
+            for (; p <= lastRecord && n < capacity; p += RECORD_BYTES_2) {
+                int address = (int) INT.get(buffer, p);
+                int raw = (int) INT.get(buffer, p + Integer.BYTES);
+                if ((address & (DAVIS_NOT_DVS | DAVIS_SPECIAL)) != 0) {
+                    countOther(address, n, p);
+                    continue;
+                }
+                int column = lastColumn - (address >>> DAVIS_X_SHIFT & DAVIS_X_MASK);
+                int row = lastRow - (address >>> DAVIS_Y_SHIFT & DAVIS_Y_MASK);
+                if ((column | row) < 0) {
+                    outside(lastColumn - column, lastRow - row, eventNumber(n), offsetOf(p));
+                    continue;
+                }
+                long time = raw + wrap;
+                if (time < last) {
+                    lastRawTime = lastRaw;
+                    lastTimeUs = last;
+                    time = orderedTime(raw, n, p);
+                    wrap = wrapUs;
+                }
+                lastRaw = raw;
+                last = time;
+                timeUs[n] = time;
+                x[n] = (short) column;
+                y[n] = (short) row;
+                polarity[n] = (byte) ((address >>> DAVIS_ON_SHIFT & 1) * 2 - 1);
+                n++;
+            }
+        } finally {
+            lastRawTime = lastRaw;
+            file.position = p;
+            deliver(batch, n, last);
+        }
+    }
+
+    private void countOther(int address, int n, int p) {
+        if ((address & DAVIS_NOT_DVS) == 0) {
+            triggers++;
+        } else if ((address & DAVIS_IMU) != DAVIS_IMU) {
+            apsSamples++;
+        } else {
+            countImuWord(address >>> IMU_CODE_SHIFT & IMU_CODE_MASK, n, p);
+        }
+    }
+
+    private void countImuWord(int code, int n, int p) {
+        if (code == nextImuCode) {
+            imuSamples += code == IMU_WORDS - 1 ? 1 : 0;
+            nextImuCode = (code + 1) % IMU_WORDS;
+            return;
+        }
+        if (nextImuCode != SKIP_TO_NEXT_IMU) {
+            int expected = nextImuCode;
+            addFault("imu", () -> at(eventNumber(n), offsetOf(p)) + "malformed, an IMU sample's word must have code "
+                    + expected + " but had " + code);
+        }
+        nextImuCode = code == 0 ? 1 : SKIP_TO_NEXT_IMU;
+    }
+
+    private void strangeAddress(int address, int n, int p) {
+        addFault("address", () -> at(eventNumber(n), offsetOf(p)) + "malformed, a DVS128 address must have 16 bits but was "
+                + String.format("0x%08X", address) + "; its low 16 bits were used");
+    }
+
+    /** Decides what it means that an event's time lies below the one before. */
+    private long orderedTime(int raw, int n, int p) throws MalformedRecordingException {
+        if (lastRawTime > 0 && raw <= 0) {
+            wrapUs += WRAP_US;
+            timeWraps++;
+            if (raw + wrapUs >= lastTimeUs) {
+                return raw + wrapUs;
+            }
+        }
+        return stepBack(raw + wrapUs, eventNumber(n), offsetOf(p));
+    }
+
+    private long offsetOf(int p) {
+        return file.offset() - file.position + p;
+    }
+}

@@ -1,0 +1,101 @@
+package io.github.sofas.recording;
+
+import static io.github.sofas.recording.Aedat2Format.*;
+
+import io.github.sofas.event.EventBatch;
+import java.io.BufferedOutputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * Writes change events as AEDAT 2.0, which jAER and most tools read.
+ *
+ * <p>The file is whole only after {@link #close()} has returned. Times are written in 32 bits and overflow as jAER's
+ * do: a reader that undoes overflows gives the same times back up to a multiple of 2^32 µs (none where the first time
+ * fits into 32 bits), as long as no two events in turn lie more than 2^31 µs apart.
+ */
+public final class Aedat2Writer implements Closeable {
+    private static final String HEADER = "#!AER-DAT2.0\r\n"
+            + "# This is a raw AE data file - do not edit\r\n"
+            + "# Data format is int32 address, int32 timestamp (8 bytes total), repeated for each event\r\n"
+            + "# Timestamps tick is 1 us\r\n";
+    private static final int RECORDS_BUFFERED = 4096;
+
+    private final OutputStream out;
+    private final Chip chip;
+    private final byte[] buffer = new byte[RECORDS_BUFFERED * RECORD_BYTES_2];
+    private long lastTimeUs = Long.MIN_VALUE;
+    private long events;
+
+    /**
+     * Makes or replaces the file and writes the header.
+     *
+     * @throws IOException where the file cannot be written
+     */
+    public Aedat2Writer(Path path, Chip chip) throws IOException {
+        this.chip = chip;
+        out = new BufferedOutputStream(Files.newOutputStream(path));
+        String header = HEADER + CHIP_LINE + chip.className() + "\r\n" + END_LINE + "\r\n";
+        out.write(header.getBytes(StandardCharsets.US_ASCII));
+    }
+
+    /**
+     * Appends the events of a batch.
+     *
+     * @throws IllegalArgumentException where an event lies outside the chip's sensor or before the one that precedes it;
+     *     the events before it are written
+     * @throws IOException where the file cannot be written
+     */
+    public void write(EventBatch batch) throws IOException {
+        int p = 0;
+        for (int i = 0; i < batch.size(); i++) {
+            if (p == buffer.length) {
+                out.write(buffer, 0, p);
+                p = 0;
+            }
+            String broken = brokenRule(batch, i);
+            if (broken != null) {
+                out.write(buffer, 0, p);
+                throw new IllegalArgumentException("event " + events + ": " + broken);
+            }
+            lastTimeUs = batch.timeUs[i];
+            INT.set(buffer, p, address(batch.x[i], batch.y[i], batch.polarity[i]));
+            INT.set(buffer, p + Integer.BYTES, (int) lastTimeUs);
+            p += RECORD_BYTES_2;
+            events++;
+        }
+        out.write(buffer, 0, p);
+    }
+
+    private String brokenRule(EventBatch batch, int i) {
+        int width = chip.sensor().width();
+        int height = chip.sensor().height();
+        if (batch.x[i] < 0 || batch.x[i] >= width) {
+            return "x must be smaller than width " + width + " but was " + batch.x[i];
+        }
+        if (batch.y[i] < 0 || batch.y[i] >= height) {
+            return "y must be smaller than height " + height + " but was " + batch.y[i];
+        }
+        return batch.timeUs[i] >= lastTimeUs ? null
+                : "time must not fall below " + lastTimeUs + " us but was " + batch.timeUs[i] + " us";
+    }
+
+    private int address(int x, int y, int polarity) {
+        int rawX = chip.sensor().width() - 1 - x;
+        int rawY = chip.sensor().height() - 1 - y;
+        if (chip.layout() == Chip.AddressLayout.DVS128) {
+            return rawX << DVS128_X_SHIFT | rawY << DVS128_Y_SHIFT | (polarity > 0 ? 0 : DVS128_OFF);
+        }
+        return rawX << DAVIS_X_SHIFT | rawY << DAVIS_Y_SHIFT | (polarity > 0 ? 1 : 0) << DAVIS_ON_SHIFT;
+    }
+
+    /** Writes what is buffered and closes the file. */
+    @Override
+    public void close() throws IOException {
+        out.close();
+    }
+}

@@ -1,0 +1,62 @@
+package io.github.sofas.recording;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The header lines of AEDAT 1.0 and 2.0.
+ *
+ * <p>Recorders since 2018 end it with a line of its own; older files do not. There it ends with the first line that
+ * does not start with {@code #}, but data may start with that byte too: what looks like a line and holds a control
+ * character is data, for no recorder writes one into a header.
+ *
+ * @param chip what the header's AEChip line says, or null
+ * @param dataOffset where the records start
+ */
+record AedatHeader(String chip, long dataOffset) {
+    private static final Pattern CHIP = Pattern.compile("#\\s*AEChip:\\s*(\\S+).*", Pattern.CASE_INSENSITIVE);
+    private static final Pattern END = Pattern.compile("#\\s*End Of ASCII Header", Pattern.CASE_INSENSITIVE);
+    /** The start of a line that is kept; the two lines that mean something are shorter. */
+    private static final int KEPT_BYTES = 512;
+
+    /** Reads the header and leaves the file at the first record. */
+    static AedatHeader read(RecordingFile file) throws IOException, MalformedRecordingException {
+        String chip = null;
+        byte[] line = new byte[KEPT_BYTES];
+        while (file.require(1) && file.buffer[file.position] == '#') {
+            long lineOffset = file.offset();
+            int length = 0;
+            int next = 0;
+            while (file.require(1) && (next = file.buffer[file.position] & 0xFF) != '\n' && !isControl(next)) {
+                if (length < KEPT_BYTES) {
+                    line[length++] = (byte) next;
+                }
+                file.position++;
+            }
+            if (file.available() == 0) {
+                throw new MalformedRecordingException("[" + file.name + "] header at byte " + lineOffset
+                        + ": truncated, a line must end with a line feed but the file ends");
+            }
+            if (next != '\n') {
+                file.seek(lineOffset);
+                break;
+            }
+            file.position++;
+            String text = new String(line, 0, length, StandardCharsets.ISO_8859_1).strip();
+            if (END.matcher(text).matches()) {
+                break;
+            }
+            Matcher matcher = CHIP.matcher(text);
+            if (chip == null && matcher.matches()) {
+                chip = matcher.group(1);
+            }
+        }
+        return new AedatHeader(chip, file.offset());
+    }
+
+    private static boolean isControl(int character) {
+        return character < ' ' && character != '\t' && character != '\r';
+    }
+}

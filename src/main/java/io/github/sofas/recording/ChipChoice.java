@@ -1,0 +1,80 @@
+package io.github.sofas.recording;
+
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The sensor of a recording, from what its header and the caller say. The header wins where its chip is known: one
+ * option then serves a batch of recordings of which some name their sensor. Nothing is ever guessed.
+ *
+ * @param name how header or caller call it; null where only a size is known
+ * @param chip the chip, null where only its size is known
+ * @param sensor its size
+ * @param fault what is to be reported about the choice, or null
+ */
+record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
+    private static final Pattern SIZE = Pattern.compile("(\\d{1,5})[xX](\\d{1,5})");
+
+    /** Chooses for a format whose addresses can only be decoded with the chip's layout. */
+    static ChipChoice withLayout(String fileName, String headerChip, String optionChip) throws EventSourceException {
+        ChipChoice choice = choose(fileName, headerChip, optionChip);
+        if (choice.chip == null) {
+            throw new EventSourceException("[" + fileName + "] chip must be one of " + Chip.knownNames()
+                    + " because a size does not say how the addresses are packed, but --chip was " + optionChip);
+        }
+        return choice;
+    }
+
+    /** Chooses for a format that holds plain coordinates but no size: a size such as 240x180 serves too. */
+    static ChipChoice withSize(String fileName, String headerChip, String optionChip) throws EventSourceException {
+        return choose(fileName, headerChip, optionChip);
+    }
+
+    private static ChipChoice choose(String fileName, String headerChip, String optionChip)
+            throws EventSourceException {
+        ChipChoice option = optionChip == null ? null : named(fileName, optionChip);
+        Optional<Chip> header = headerChip == null ? Optional.empty() : Chip.named(headerChip);
+        if (header.isPresent()) {
+            Chip chip = header.get();
+            boolean differs = option != null && !(option.sensor.equals(chip.sensor())
+                    && (option.chip == null || option.chip.layout() == chip.layout()));
+            return new ChipChoice(chip.name(), chip, chip.sensor(), !differs ? null
+                    : "[" + fileName + "] the header names " + chip.name() + ", so --chip " + optionChip + " was not used");
+        }
+        if (option == null) {
+            throw new EventSourceException("[" + fileName + "] " + (headerChip == null
+                    ? "the recording names no chip" : "the recording's chip " + headerChip + " is not known")
+                    + ": --chip must name one of " + Chip.knownNames());
+        }
+        return headerChip == null ? option : new ChipChoice(option.name, option.chip, option.sensor,
+                "[" + fileName + "] the header's chip " + headerChip + " is not known, so --chip " + optionChip + " was used");
+    }
+
+    private static ChipChoice named(String fileName, String name) throws EventSourceException {
+        Optional<Chip> chip = Chip.named(name);
+        if (chip.isPresent()) {
+            return new ChipChoice(chip.get().name(), chip.get(), chip.get().sensor(), null);
+        }
+        Matcher size = SIZE.matcher(name);
+        if (!size.matches()) {
+            throw new EventSourceException("[" + fileName + "] --chip must name one of " + Chip.knownNames()
+                    + " or a size such as 240x180 but was " + name);
+        }
+        try {
+            return new ChipChoice(null, null,
+                    new SensorSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2))), null);
+        } catch (IllegalArgumentException e) {
+            throw new EventSourceException("[" + fileName + "] --chip " + name + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Hands what there is to report to the reader. */
+    void reportTo(RecordingReader reader) {
+        if (fault != null) {
+            reader.addFault("chip", () -> fault);
+        }
+    }
+}

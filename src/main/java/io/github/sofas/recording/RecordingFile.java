@@ -1,0 +1,88 @@
+package io.github.sofas.recording;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * The bytes of a file through one buffer that decoders index themselves: {@code buffer[position]} is the next byte,
+ * {@code buffer[limit]} the first one that is not there yet.
+ */
+final class RecordingFile implements Closeable {
+    /** Large enough that a read costs little an event, small enough to stay in the second-level cache. */
+    static final int BUFFER_BYTES = 128 * 1024;
+
+    final String name;
+    final byte[] buffer = new byte[BUFFER_BYTES];
+    int position;
+    int limit;
+
+    private final FileChannel channel;
+    private final ByteBuffer view = ByteBuffer.wrap(buffer);
+    private long bufferOffset;
+
+    RecordingFile(Path path) throws IOException {
+        name = path.getFileName() == null ? path.toString() : path.getFileName().toString();
+        channel = FileChannel.open(path, StandardOpenOption.READ);
+    }
+
+    /** Where in the file the next byte lies. */
+    long offset() {
+        return bufferOffset + position;
+    }
+
+    /** How many bytes the file has now. */
+    long size() throws IOException {
+        return channel.size();
+    }
+
+    /** How many bytes are buffered. */
+    int available() {
+        return limit - position;
+    }
+
+    /**
+     * Reads on until so many bytes are buffered.
+     *
+     * @param bytes at most {@link #BUFFER_BYTES}
+     * @return false where the file ends before; what is left is then buffered
+     */
+    boolean require(int bytes) throws IOException {
+        if (limit - position >= bytes) {
+            return true;
+        }
+        System.arraycopy(buffer, position, buffer, 0, limit - position);
+        bufferOffset += position;
+        limit -= position;
+        position = 0;
+        while (limit < bytes) {
+            view.limit(buffer.length).position(limit);
+            int read = channel.read(view);
+            if (read < 0) {
+                return false;
+            }
+            limit += read;
+        }
+        return true;
+    }
+
+    /** Goes to a place in the file, forwards or backwards. */
+    void seek(long offset) throws IOException {
+        if (offset >= bufferOffset && offset <= bufferOffset + limit) {
+            position = (int) (offset - bufferOffset);
+            return;
+        }
+        channel.position(offset);
+        bufferOffset = offset;
+        position = 0;
+        limit = 0;
+    }
+
+    @Override
+    public void close() throws IOException {
+        channel.close();
+    }
+}

@@ -1,0 +1,108 @@
+package io.github.sofas.recording;
+
+import io.github.sofas.event.EventSourceException;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/** Opens recordings of every format that is served. */
+public final class Recordings {
+    private static final byte[] AEDAT_MAGIC = "#!AER-DAT".getBytes(StandardCharsets.US_ASCII);
+    private static final int VERSION_BYTES = 16;
+
+    private Recordings() {
+    }
+
+    /**
+     * Opens a recording: by the magic at its start, and where it has none by the file's extension ({@code .dat} and
+     * {@code .aedat} are AEDAT 1.0).
+     *
+     * @return a reader before the first event, to be closed by the caller
+     * @throws MalformedRecordingException where the header is damaged or the format is not served
+     * @throws EventSourceException where the file cannot be read, or the sensor is neither named by the recording nor
+     *     by the options; the message then lists the known ones
+     */
+    public static RecordingReader open(Path path, RecordingOptions options) throws EventSourceException {
+        RecordingFile file = null;
+        RecordingReader reader = null;
+        try {
+            if (Files.isDirectory(path)) {
+                throw new EventSourceException("[" + path + "] cannot be opened: is a directory");
+            }
+            file = new RecordingFile(path);
+            reader = readerFor(file, options);
+            return reader;
+        } catch (NoSuchFileException e) {
+            throw new EventSourceException("[" + path + "] cannot be opened: no such file", e);
+        } catch (IOException e) {
+            throw new EventSourceException("[" + path + "] cannot be opened: " + e, e);
+        } finally {
+            if (file != null && reader == null) {
+                closeQuietly(file);
+            }
+        }
+    }
+
+    private static RecordingReader readerFor(RecordingFile file, RecordingOptions options)
+            throws IOException, EventSourceException {
+        String version = aedatVersion(file);
+        if (version == null) {
+            String lower = file.name.toLowerCase(Locale.ROOT);
+            if (lower.endsWith(".dat") || lower.endsWith(".aedat")) {
+                version = "1.0";
+            } else {
+                throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, a recording must "
+                        + "start with #!AER-DAT or have the extension .aedat or .dat");
+            }
+        }
+        switch (version) {
+            case "1.0":
+                return aedat2(file, options, "AEDAT 1.0", Aedat2Format.RECORD_BYTES_1);
+            case "2.0":
+                return aedat2(file, options, "AEDAT 2.0", Aedat2Format.RECORD_BYTES_2);
+            default:
+                throw new MalformedRecordingException("[" + file.name + "] header at byte 9: unsupported, the AEDAT version "
+                        + "must be one of 1.0, 2.0 but was \"" + version + "\"");
+        }
+    }
+
+    private static RecordingReader aedat2(RecordingFile file, RecordingOptions options, String formatName,
+                                          int recordBytes) throws IOException, EventSourceException {
+        AedatHeader header = AedatHeader.read(file);
+        ChipChoice choice = ChipChoice.withLayout(file.name, header.chip(), options.chip());
+        if (recordBytes == Aedat2Format.RECORD_BYTES_1 && choice.chip().layout() != Chip.AddressLayout.DVS128) {
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the chip of an AEDAT 1.0 "
+                    + "recording must have 16-bit addresses but was " + choice.name());
+        }
+        RecordingReader reader = new Aedat2Reader(file, options, formatName, recordBytes, choice.name(), choice.chip());
+        choice.reportTo(reader);
+        return reader;
+    }
+
+    /** What follows the magic up to the line's end; null where the file does not start with the magic. */
+    private static String aedatVersion(RecordingFile file) throws IOException {
+        file.require(AEDAT_MAGIC.length + VERSION_BYTES);
+        for (int i = 0; i < AEDAT_MAGIC.length; i++) {
+            if (i >= file.available() || file.buffer[i] != AEDAT_MAGIC[i]) {
+                return null;
+            }
+        }
+        int end = AEDAT_MAGIC.length;
+        while (end < Math.min(file.available(), AEDAT_MAGIC.length + VERSION_BYTES) && file.buffer[end] > ' ') {
+            end++;
+        }
+        return new String(file.buffer, AEDAT_MAGIC.length, end - AEDAT_MAGIC.length, StandardCharsets.US_ASCII);
+    }
+
+    private static void closeQuietly(RecordingFile file) {
+        try {
+            file.close();
+        } catch (IOException e) {
+            // The failure that led here is the one to report.
+            return;
+        }
+    }
+}
