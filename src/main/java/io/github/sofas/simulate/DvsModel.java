@@ -1,0 +1,90 @@
+package io.github.sofas.simulate;
+
+/**
+ * How a pixel turns light into events: it remembers the logarithm of the light at its last event and fires when the
+ * light has changed by more than a threshold since.
+ *
+ * @param onThreshold rise of log intensity that makes an ON event, above 0
+ * @param offThreshold fall of log intensity that makes an OFF event, above 0
+ * @param mismatchSd standard deviation of both thresholds over the pixels, in log intensity; a threshold is never made
+ *     smaller than a fifth of its nominal value
+ * @param jitterSdUs standard deviation of the latency in µs; the latency is normally distributed with a mean of three
+ *     standard deviations, cut off at 0 and at six
+ * @param refractoryUs time after an event in which the pixel is blind, in µs; it remembers the light at its end
+ * @param noiseHzPerPx background activity in events per s and pixel, of random polarity
+ * @param hotPixels how many pixels fire by themselves
+ * @param hotPixelHz how often each of those fires, in Hz, always ON
+ */
+public record DvsModel(double onThreshold, double offThreshold, double mismatchSd, double jitterSdUs,
+                       double refractoryUs, double noiseHzPerPx, int hotPixels, double hotPixelHz) {
+    /** Checks every component. */
+    public DvsModel {
+        requireAbove("onThreshold", onThreshold);
+        requireAbove("offThreshold", offThreshold);
+        requireNotNegative("mismatchSd", mismatchSd);
+        requireNotNegative("jitterSdUs", jitterSdUs);
+        requireNotNegative("refractoryUs", refractoryUs);
+        requireNotNegative("noiseHzPerPx", noiseHzPerPx);
+        requireNotNegative("hotPixels", hotPixels);
+        requireNotNegative("hotPixelHz", hotPixelHz);
+    }
+
+    /**
+     * Like a DAVIS240C in good light: thresholds of 0.2 (a change by a fifth) with a mismatch of 0.03, 100 µs of jitter
+     * and of refractory time, 0.1 Hz/px of background activity, no hot pixel (100 Hz where some are asked for).
+     */
+    public static DvsModel davis() {
+        return new DvsModel(0.2, 0.2, 0.03, 100, 100, 0.1, 0, 100);
+    }
+
+    /** A sensor without any flaw, for answers worked out by hand: both thresholds 0.2, all else 0. */
+    public static DvsModel ideal() {
+        return new DvsModel(0.2, 0.2, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** The same model with other thresholds. */
+    public DvsModel withThresholds(double on, double off) {
+        return new DvsModel(on, off, mismatchSd, jitterSdUs, refractoryUs, noiseHzPerPx, hotPixels, hotPixelHz);
+    }
+
+    /** The same model with another spread of thresholds. */
+    public DvsModel withMismatchSd(double sd) {
+        return new DvsModel(onThreshold, offThreshold, sd, jitterSdUs, refractoryUs, noiseHzPerPx, hotPixels,
+                hotPixelHz);
+    }
+
+    /** The same model with another spread of latency. */
+    public DvsModel withJitterSdUs(double us) {
+        return new DvsModel(onThreshold, offThreshold, mismatchSd, us, refractoryUs, noiseHzPerPx, hotPixels,
+                hotPixelHz);
+    }
+
+    /** The same model with another refractory time. */
+    public DvsModel withRefractoryUs(double us) {
+        return new DvsModel(onThreshold, offThreshold, mismatchSd, jitterSdUs, us, noiseHzPerPx, hotPixels,
+                hotPixelHz);
+    }
+
+    /** The same model with another rate of background activity. */
+    public DvsModel withNoiseHzPerPx(double hz) {
+        return new DvsModel(onThreshold, offThreshold, mismatchSd, jitterSdUs, refractoryUs, hz, hotPixels,
+                hotPixelHz);
+    }
+
+    /** The same model with other hot pixels. */
+    public DvsModel withHotPixels(int count, double hz) {
+        return new DvsModel(onThreshold, offThreshold, mismatchSd, jitterSdUs, refractoryUs, noiseHzPerPx, count, hz);
+    }
+
+    private static void requireAbove(String name, double value) {
+        if (!(value > 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(name + " must be positive but was " + value);
+        }
+    }
+
+    private static void requireNotNegative(String name, double value) {
+        if (!(value >= 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(name + " must not be negative but was " + value);
+        }
+    }
+}

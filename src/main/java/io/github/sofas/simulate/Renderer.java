@@ -1,0 +1,206 @@
+package io.github.sofas.simulate;
+
+import io.github.sofas.event.SensorSize;
+import java.util.List;
+
+/**
+ * The light on each pixel, antialiased and slightly blurred.
+ *
+ * <p>An object covers a pixel by a smooth function of the signed distance d from the pixel's centre to its outline:
+ * 1/2 - 3/4 u + 1/4 u³ with u = d / reach, 1 inside and 0 outside. That is a straight edge seen through an
+ * Epanechnikov kernel of standard deviation reach / sqrt 5. As coverage is exactly 0 or 1 beyond the reach, only pixels
+ * near an outline can change; a quadtree over the sensor finds them.
+ */
+final class Renderer {
+    /** Told of the light of each pixel that may have changed. */
+    interface Visitor {
+        void light(int pixel, int x, int y, long objects, double light);
+    }
+
+    private static final int ROOT_SIZE = 64;
+    private static final int LEAF_SIZE = 4;
+
+    private final int width;
+    private final int height;
+    private final MovingObject[] objects;
+    private final double[] background;
+    private final double reach;
+    private final double margin;
+    private Pose[] before;
+    private Pose[] now;
+    private final double[] coverages;
+    private final double[] pulls;
+
+    /**
+     * Makes one.
+     *
+     * @param objects front to back
+     * @param background light of each pixel where no object is
+     * @param blurPx standard deviation of the blur in px
+     * @param stepPx the farthest that any point moves between two times
+     */
+    Renderer(SensorSize sensor, List<MovingObject> objects, double[] background, double blurPx, double stepPx) {
+        width = sensor.width();
+        height = sensor.height();
+        this.objects = objects.toArray(new MovingObject[0]);
+        this.background = background;
+        reach = blurPx * Math.sqrt(5);
+        margin = reach + 1.5 * stepPx;
+        before = poses(objects.size());
+        now = poses(objects.size());
+        coverages = new double[objects.size()];
+        pulls = new double[objects.size()];
+    }
+
+    private static Pose[] poses(int count) {
+        Pose[] poses = new Pose[count];
+        for (int i = 0; i < count; i++) {
+            poses[i] = new Pose();
+        }
+        return poses;
+    }
+
+    /** Goes on to another time; the poses of the last one are kept for {@link #cause}. */
+    void moveTo(double timeS) {
+        Pose[] swap = before;
+        before = now;
+        now = swap;
+        for (int i = 0; i < objects.length; i++) {
+            objects[i].motion().poseAt(timeS, now[i]);
+        }
+    }
+
+    /** The light of every pixel at the time moved to. */
+    void renderAll(double[] light) {
+        for (int y = 0, pixel = 0; y < height; y++) {
+            for (int x = 0; x < width; x++, pixel++) {
+                light[pixel] = lightAt(pixel, x, y, allObjects());
+            }
+        }
+    }
+
+    /** Visits every pixel whose light can have changed in the last step. */
+    void visitChanging(Visitor visitor) {
+        if (objects.length == 0) {
+            return;
+        }
+        for (int y = 0; y < height; y += ROOT_SIZE) {
+            for (int x = 0; x < width; x += ROOT_SIZE) {
+                visit(x, y, ROOT_SIZE, allObjects(), visitor);
+            }
+        }
+    }
+
+    private long allObjects() {
+        return objects.length == 0 ? 0 : -1L >>> (64 - objects.length);
+    }
+
+    private void visit(int left, int top, int size, long candidates, Visitor visitor) {
+        double half = (size - 1) / 2.0;
+        double far = half * Math.sqrt(2) + margin;
+        long near = 0;
+        boolean edge = false;
+        for (long rest = candidates; rest != 0; rest &= rest - 1) {
+            int i = Long.numberOfTrailingZeros(rest);
+            double distance = now[i].distanceTo(objects[i].shape(), left + half, top + half);
+            if (distance > far) {
+                continue;
+            }
+            near |= 1L << i;
+            if (distance < -far) {
+                break;
+            }
+            edge = true;
+        }
+        if (!edge) {
+            return;
+        }
+        if (size > LEAF_SIZE) {
+            int quarter = size / 2;
+            boolean right = left + quarter < width;
+            boolean below = top + quarter < height;
+            visit(left, top, quarter, near, visitor);
+            if (right) {
+                visit(left + quarter, top, quarter, near, visitor);
+            }
+            if (below) {
+                visit(left, top + quarter, quarter, near, visitor);
+            }
+            if (right && below) {
+                visit(left + quarter, top + quarter, quarter, near, visitor);
+            }
+            return;
+        }
+        int endX = Math.min(width, left + size);
+        int endY = Math.min(height, top + size);
+        for (int y = top; y < endY; y++) {
+            for (int x = left; x < endX; x++) {
+                int pixel = y * width + x;
+                visitor.light(pixel, x, y, near, lightAt(pixel, x, y, near));
+            }
+        }
+    }
+
+    private double lightAt(int pixel, int x, int y, long candidates) {
+        double light = 0;
+        double through = 1;
+        for (long rest = candidates; rest != 0; rest &= rest - 1) {
+            int i = Long.numberOfTrailingZeros(rest);
+            double covered = coverage(now[i].distanceTo(objects[i].shape(), x, y));
+            light += through * covered * objects[i].light();
+            through *= 1 - covered;
+            if (through == 0) {
+                return light;
+            }
+        }
+        return light + through * background[pixel];
+    }
+
+    private double coverage(double distance) {
+        if (distance >= reach) {
+            return 0;
+        }
+        if (distance <= -reach) {
+            return 1;
+        }
+        double u = distance / reach;
+        return 0.5 - 0.75 * u + 0.25 * u * u * u;
+    }
+
+    /**
+     * Which object changed a pixel's light in the last step: the one whose change of coverage moved the light most in
+     * the direction of the event, seen through what is before it and against what is behind it; the topmost of equals.
+     *
+     * @param candidates the objects that {@link Visitor#light} was given for the pixel
+     * @return its index, front to back
+     */
+    int cause(int pixel, int x, int y, long candidates, int polarity) {
+        double behind = background[pixel];
+        int last = 63 - Long.numberOfLeadingZeros(candidates);
+        for (int i = last; i >= 0; i--) {
+            if ((candidates >>> i & 1) == 0) {
+                continue;
+            }
+            Shape shape = objects[i].shape();
+            double was = coverage(before[i].distanceTo(shape, x, y));
+            double is = coverage(now[i].distanceTo(shape, x, y));
+            double covered = (was + is) / 2;
+            coverages[i] = covered;
+            pulls[i] = (is - was) * (objects[i].light() - behind) * polarity;
+            behind = covered * objects[i].light() + (1 - covered) * behind;
+        }
+        double through = 1;
+        double greatest = Double.NEGATIVE_INFINITY;
+        int cause = last;
+        for (long rest = candidates; rest != 0; rest &= rest - 1) {
+            int i = Long.numberOfTrailingZeros(rest);
+            double moved = through * pulls[i];
+            if (pulls[i] != 0 && moved > greatest) {
+                greatest = moved;
+                cause = i;
+            }
+            through *= 1 - coverages[i];
+        }
+        return cause;
+    }
+}

@@ -1,0 +1,282 @@
+package io.github.sofas.simulate;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSource;
+import io.github.sofas.event.SensorSize;
+import java.util.Arrays;
+import java.util.Random;
+
+/**
+ * A scene as an event source: films it step by step while it is read, so that even an endless one needs little memory.
+ *
+ * <p>Each pixel's log intensity moves linearly from one time step to the next, so that events have times between the
+ * steps. A step is as long as the fastest point needs for a quarter pixel, at most 10 ms. The truth of an event is the
+ * object that caused it and the velocity, at the moment of the event and before its latency, of that object's point at
+ * the pixel's centre.
+ */
+public final class SimulatedSource implements EventSource {
+    /** The farthest that anything moves within one time step, in px. */
+    static final double STEP_PX = 0.25;
+
+    private static final double LONGEST_STEP_US = 10_000;
+    private static final int EVENTS_AT_A_TIME = 8192;
+    private static final int TEXTURE_CELL_PX = 5;
+
+    private final SensorSize sensor;
+    private final DvsModel dvs;
+    private final World world;
+    private final long passes;
+    private final long durationUs;
+    private final double stepUs;
+
+    private final Renderer renderer;
+    private final PixelArray pixels;
+    private final double[] light;
+    private final double[] startLight;
+    private final long[] lastOutUs;
+    private final int[] hotPixels;
+    private final Random latency;
+    private final Random noise;
+    private final EventQueue queue = new EventQueue();
+    private final Pose causePose = new Pose();
+
+    private long pass;
+    private long passStartUs;
+    private double nowUs;
+    private double nextUs;
+    private double nextNoiseUs;
+    private double nextHotUs;
+    private int visitedX;
+    private int visitedY;
+    private long visitedObjects;
+    private boolean finished;
+
+    /** Films a scene once. */
+    public SimulatedSource(Scene scene, SimulationOptions options) {
+        this(scene, options, 1);
+    }
+
+    /**
+     * Films a scene several times over, each pass following the one before in time. The objects jump back between two
+     * passes without an event; noise goes on.
+     *
+     * @param passes how often, at least 1; Long.MAX_VALUE for a source without end
+     */
+    public SimulatedSource(Scene scene, SimulationOptions options, long passes) {
+        this(scene.compose(options), options, passes);
+    }
+
+    SimulatedSource(World world, SimulationOptions options, long passes) {
+        if (passes < 1) {
+            throw new IllegalArgumentException("passes must be at least 1 but was " + passes);
+        }
+        this.world = world;
+        this.passes = passes;
+        sensor = options.sensor();
+        dvs = options.dvs();
+        durationUs = Math.max(1, Math.round(world.durationS() * 1e6));
+        stepUs = stepUs();
+        int size = sensor.width() * sensor.height();
+        Random seeds = new Random(options.seed());
+        Random mismatch = new Random(seeds.nextLong());
+        latency = new Random(seeds.nextLong());
+        noise = new Random(seeds.nextLong());
+        pixels = new PixelArray(size, dvs, mismatch);
+        renderer = new Renderer(sensor, world.objects(),
+                background(options.texture(), new Random(seeds.nextLong())), options.blurPx(), STEP_PX);
+        hotPixels = new Random(seeds.nextLong()).ints(0, size).distinct()
+                .limit(Math.min(dvs.hotPixels(), size)).toArray();
+        light = new double[size];
+        startLight = new double[size];
+        lastOutUs = new long[size];
+        Arrays.fill(lastOutUs, -1);
+        renderer.moveTo(0);
+        renderer.renderAll(startLight);
+        nextNoiseUs = gapUs(dvs.noiseHzPerPx() * size);
+        nextHotUs = gapUs(dvs.hotPixelHz() * hotPixels.length);
+        startPass();
+    }
+
+    private double stepUs() {
+        double diagonal = Math.sqrt((double) sensor.width() * sensor.width()
+                + (double) sensor.height() * sensor.height());
+        double fastest = 0;
+        for (MovingObject object : world.objects()) {
+            // No visible point is farther from its object's origin than the object reaches or the sensor is wide.
+            fastest = Math.max(fastest, object.motion().maxSpeedPxPerS(Math.min(object.shape().radius(), diagonal)));
+        }
+        return fastest == 0 ? LONGEST_STEP_US : Math.min(LONGEST_STEP_US, STEP_PX / fastest * 1e6);
+    }
+
+    /** Value noise: normally distributed values every few pixels, joined smoothly. */
+    private double[] background(double texture, Random random) {
+        int width = sensor.width();
+        int height = sensor.height();
+        int columns = width / TEXTURE_CELL_PX + 2;
+        double[] knots = new double[columns * (height / TEXTURE_CELL_PX + 2)];
+        if (texture > 0) {
+            for (int i = 0; i < knots.length; i++) {
+                knots[i] = texture * random.nextGaussian();
+            }
+        }
+        double[] background = new double[width * height];
+        for (int y = 0, pixel = 0; y < height; y++) {
+            double shareY = smooth((double) (y % TEXTURE_CELL_PX) / TEXTURE_CELL_PX);
+            for (int x = 0; x < width; x++, pixel++) {
+                double shareX = smooth((double) (x % TEXTURE_CELL_PX) / TEXTURE_CELL_PX);
+                int knot = y / TEXTURE_CELL_PX * columns + x / TEXTURE_CELL_PX;
+                double above = knots[knot] + shareX * (knots[knot + 1] - knots[knot]);
+                double below = knots[knot + columns]
+                        + shareX * (knots[knot + columns + 1] - knots[knot + columns]);
+                background[pixel] = StrictMath.exp(above + shareY * (below - above));
+            }
+        }
+        return background;
+    }
+
+    private static double smooth(double share) {
+        return share * share * (3 - 2 * share);
+    }
+
+    private void startPass() {
+        nowUs = 0;
+        renderer.moveTo(0);
+        System.arraycopy(startLight, 0, light, 0, light.length);
+        pixels.restart(light);
+    }
+
+    @Override
+    public SensorSize sensor() {
+        return sensor;
+    }
+
+    /** How long one pass is, in µs. */
+    public long durationUs() {
+        return durationUs;
+    }
+
+    /** How many objects the scene has; the truth numbers them from 1. */
+    public int objects() {
+        return world.objects().size();
+    }
+
+    @Override
+    public boolean next(EventBatch batch) {
+        return next(batch, null);
+    }
+
+    /**
+     * Clears the batch and fills it, with the truth of each event beside it.
+     *
+     * @param truth at least as large as the batch, or null where it does not matter
+     * @return false at the end, with the batch left empty
+     */
+    public boolean next(EventBatch batch, Truth truth) {
+        if (truth != null && truth.capacity() < batch.capacity()) {
+            throw new IllegalArgumentException("truth must hold at least " + batch.capacity()
+                    + " events, as the batch does, but holds " + truth.capacity());
+        }
+        batch.clear();
+        while (!batch.isFull()) {
+            queue.drainTo(batch, truth);
+            if (!batch.isFull() && !film()) {
+                break;
+            }
+        }
+        return batch.size() > 0;
+    }
+
+    @Override
+    public void close() {
+        finished = true;
+    }
+
+    /** Films until some events are ready; false where none will come. */
+    private boolean film() {
+        while (!queue.hasReady()) {
+            if (finished) {
+                return false;
+            }
+            do {
+                step();
+            } while (queue.gathered() < EVENTS_AT_A_TIME && nowUs < durationUs);
+            if (nowUs < durationUs) {
+                queue.release(passStartUs + (long) nowUs);
+                continue;
+            }
+            pass++;
+            passStartUs += durationUs;
+            nextNoiseUs -= durationUs;
+            nextHotUs -= durationUs;
+            if (pass == passes) {
+                finished = true;
+                queue.release(Long.MAX_VALUE);
+            } else {
+                queue.release(passStartUs);
+                startPass();
+            }
+        }
+        return true;
+    }
+
+    private void step() {
+        nextUs = Math.min(durationUs, nowUs + stepUs);
+        renderer.moveTo(nextUs * 1e-6);
+        renderer.visitChanging(this::lightChanged);
+        addNoise();
+        nowUs = nextUs;
+    }
+
+    private void lightChanged(int pixel, int x, int y, long objects, double newLight) {
+        if (light[pixel] == newLight) {
+            return;
+        }
+        light[pixel] = newLight;
+        visitedX = x;
+        visitedY = y;
+        visitedObjects = objects;
+        pixels.change(pixel, StrictMath.log(newLight), nowUs, nextUs, this::crossed);
+    }
+
+    private void crossed(int pixel, double timeUs, int polarity) {
+        int x = visitedX;
+        int y = visitedY;
+        MovingObject object = world.objects().get(renderer.cause(pixel, x, y, visitedObjects, polarity));
+        object.motion().poseAt(timeUs * 1e-6, causePose);
+        queue.add(outUs(pixel, timeUs), x, y, polarity,
+                (float) causePose.vxAt(y), (float) causePose.vyAt(x), object.id());
+    }
+
+    private void addNoise() {
+        int size = light.length;
+        while (nextNoiseUs < nextUs) {
+            fireUnprompted(noise.nextInt(size), nextNoiseUs, noise.nextBoolean() ? 1 : -1);
+            nextNoiseUs += gapUs(dvs.noiseHzPerPx() * size);
+        }
+        while (nextHotUs < nextUs) {
+            fireUnprompted(hotPixels[noise.nextInt(hotPixels.length)], nextHotUs, 1);
+            nextHotUs += gapUs(dvs.hotPixelHz() * hotPixels.length);
+        }
+    }
+
+    private void fireUnprompted(int pixel, double timeUs, int polarity) {
+        if (pixels.fireUnprompted(pixel, timeUs)) {
+            int width = sensor.width();
+            queue.add(outUs(pixel, timeUs), pixel % width, pixel / width, polarity, 0, 0, 0);
+        }
+    }
+
+    /** Time to the next event of a Poisson process; without end where the rate is 0. */
+    private double gapUs(double rateHz) {
+        return rateHz == 0 ? Double.POSITIVE_INFINITY : -StrictMath.log(1 - noise.nextDouble()) / rateHz * 1e6;
+    }
+
+    /** The time stamp: the crossing plus latency, and after the pixel's last event, for a pixel keeps its order. */
+    private long outUs(int pixel, double timeUs) {
+        double sd = dvs.jitterSdUs();
+        double delayUs = sd == 0 ? 0 : sd * Math.min(6, Math.max(0, 3 + latency.nextGaussian()));
+        long outUs = Math.max(passStartUs + (long) (timeUs + delayUs), lastOutUs[pixel] + 1);
+        lastOutUs[pixel] = outUs;
+        return outUs;
+    }
+}

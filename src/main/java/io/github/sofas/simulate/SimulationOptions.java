@@ -1,0 +1,148 @@
+package io.github.sofas.simulate;
+
+import io.github.sofas.event.SensorSize;
+import java.util.Objects;
+
+/**
+ * What can be varied in every scene.
+ *
+ * @param sensor the pixel array that sees the scene
+ * @param durationUs length of the film in µs; 0 for the scene's own
+ * @param speedPxPerS speed of the scene's first object in px/s, the others keep their ratio to it; 0 for the scene's
+ *     own; for a pendulum the peak speed
+ * @param directionDeg direction of the first object's motion in degrees from right to down; the whole arrangement
+ *     turns with it
+ * @param turnsPerS rate of the rotating bars, negative from right to up
+ * @param scale factor on the sizes of all objects, above 0
+ * @param contrast logarithm of background light over the light of a plain dark object, above 0; a pixel with a
+ *     threshold of 0.2 fires three times for 0.7
+ * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain one
+ * @param blurPx standard deviation of the optical blur in px, above 0
+ * @param turnsRound whether a camera pan slows down, turns round and comes back
+ * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
+ * @param seed of everything that is random
+ * @param dvs the pixels
+ */
+public record SimulationOptions(SensorSize sensor, long durationUs, double speedPxPerS, double directionDeg,
+                                double turnsPerS, double scale, double contrast, double texture, double blurPx,
+                                boolean turnsRound, double fieldOfViewM, long seed, DvsModel dvs) {
+    /** The array of a DAVIS240C. */
+    public static final SensorSize DAVIS240 = new SensorSize(240, 180);
+
+    /** Checks every component. */
+    public SimulationOptions {
+        Objects.requireNonNull(sensor, "sensor");
+        Objects.requireNonNull(dvs, "dvs");
+        requireNotNegative("durationUs", durationUs);
+        requireNotNegative("speedPxPerS", speedPxPerS);
+        if (!Double.isFinite(directionDeg)) {
+            throw new IllegalArgumentException("directionDeg must be finite but was " + directionDeg);
+        }
+        if (!Double.isFinite(turnsPerS) || turnsPerS == 0) {
+            throw new IllegalArgumentException("turnsPerS must be finite and not 0 but was " + turnsPerS);
+        }
+        requireAbove("scale", scale);
+        requireAbove("contrast", contrast);
+        requireNotNegative("texture", texture);
+        requireAbove("blurPx", blurPx);
+        requireNotNegative("fieldOfViewM", fieldOfViewM);
+    }
+
+    /**
+     * The scene's own duration and speed, to the right, one turn a second, seen by a DAVIS240C
+     * ({@link DvsModel#davis()}) with a blur of 0.7 px and a contrast of 0.7 on a plain background; seed 1.
+     */
+    public static SimulationOptions defaults() {
+        return new SimulationOptions(DAVIS240, 0, 0, 0, 1, 1, 0.7, 0, 0.7, false, 0, 1, DvsModel.davis());
+    }
+
+    /** The same with another sensor. */
+    public SimulationOptions withSensor(SensorSize other) {
+        return new SimulationOptions(other, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another length of film in µs. */
+    public SimulationOptions withDurationUs(long us) {
+        return new SimulationOptions(sensor, us, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another speed in px/s. */
+    public SimulationOptions withSpeedPxPerS(double pxPerS) {
+        return new SimulationOptions(sensor, durationUs, pxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another direction in degrees. */
+    public SimulationOptions withDirectionDeg(double deg) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, deg, turnsPerS, scale, contrast, texture,
+                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another rate of turning. */
+    public SimulationOptions withTurnsPerS(double turns) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turns, scale, contrast, texture,
+                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with objects of another size. */
+    public SimulationOptions withScale(double factor) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, factor, contrast,
+                texture, blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another contrast. */
+    public SimulationOptions withContrast(double logRatio) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, logRatio,
+                texture, blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another background. */
+    public SimulationOptions withTexture(double sd) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, sd,
+                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another blur in px. */
+    public SimulationOptions withBlurPx(double px) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
+                texture, px, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with a pan that turns round, or not. */
+    public SimulationOptions withTurnsRound(boolean round) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
+                texture, blurPx, round, fieldOfViewM, seed, dvs);
+    }
+
+    /** The same with another field of view in m. */
+    public SimulationOptions withFieldOfViewM(double m) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
+                texture, blurPx, turnsRound, m, seed, dvs);
+    }
+
+    /** The same with other chance. */
+    public SimulationOptions withSeed(long other) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
+                texture, blurPx, turnsRound, fieldOfViewM, other, dvs);
+    }
+
+    /** The same with other pixels. */
+    public SimulationOptions withDvs(DvsModel model) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
+                texture, blurPx, turnsRound, fieldOfViewM, seed, model);
+    }
+
+    private static void requireAbove(String name, double value) {
+        if (!(value > 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(name + " must be positive but was " + value);
+        }
+    }
+
+    private static void requireNotNegative(String name, double value) {
+        if (!(value >= 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(name + " must not be negative but was " + value);
+        }
+    }
+}
