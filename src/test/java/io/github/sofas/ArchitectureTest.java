@@ -67,7 +67,7 @@ public class ArchitectureTest {
     public void eventAndFlowNeedNothingButTheLanguage() {
         classes().that().resideInAnyPackage(packages("event"), packages("flow"))
             .should().onlyDependOnClassesThat(resideInAnyPackage(
-                packages("event"), packages("flow"), "java.lang..", "java.util"))
+                packages("event"), packages("flow"), "java.lang..", "java.util", "java.util.function"))
             .andShould().onlyDependOnClassesThat(not(resideInAnyPackage("java.util.zip..", "java.lang.foreign..")))
             .because("the core is pure computation that any program can embed")
             .check(MAIN);
