@@ -1,0 +1,22 @@
+package io.github.sofas.flow;
+
+import io.github.sofas.event.EventBatch;
+
+/**
+ * A method that gives events a velocity and a segment: SOFAS itself, or one that it is compared with. It is used by one
+ * thread, and sees a recording's batches in order.
+ */
+public interface EventLabeller {
+    /**
+     * Labels the events of a batch, as if every event were handed over alone: how a recording is cut into batches makes
+     * no difference.
+     *
+     * @param batch events on the sensor that the method was made for, not earlier than those before
+     * @param output takes entry i for event i; overwritten
+     * @throws IllegalArgumentException where the batch holds more events than the output
+     */
+    void process(EventBatch batch, FlowOutput output);
+
+    /** Forgets all events, as if made anew. */
+    void reset();
+}
