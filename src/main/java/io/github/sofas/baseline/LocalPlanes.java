@@ -15,9 +15,16 @@ import java.util.Arrays;
  * by total least squares; points farther from it than {@link #MAX_DISTANCE} are dropped and the plane fitted again
  * until none is dropped or the plane moves less than {@link #MIN_MOVE}. Its slope g = -(a, b) / c is the inverse of the
  * velocity across the edge: v = g / |g|² = -c (a, b) / (a² + b²). There is no flow from fewer than four points, nor
- * where |a| and |b| are both below {@link #MIN_SLOPE}, which means absurd speed, nor for an event that follows another
- * of its pixel and polarity within {@link #REFRACTORY_US}, which is an edge's echo. Speeds more than twice the running
- * mean are dropped.
+ * where |a| and |b| are both below {@link #MIN_SLOPE}, which means absurd speed. An event that follows another of its
+ * pixel and polarity within {@link #REFRACTORY_US} is the same edge's echo: it gets no flow and does not move the
+ * surface.
+ *
+ * <p>What is measured is the flow across the edge, |v| cos of the angle between edge normal and motion: right where an
+ * edge moves straight ahead, by design too slow and turned elsewhere.
+ *
+ * <p>Differs from jAER's LocalPlanesFlow: points are relative to the event, where jAER takes x and y from the sensor's
+ * corner and t from the packet's start, so that the bounds on the unit vector mean the same everywhere; the event's own
+ * point is always in the fit; speed control, which drops speeds above twice their running mean, is left out.
  */
 public final class LocalPlanes implements EventLabeller {
     /** Pixels from the middle of the window to its side: 7 x 7, as Lucas-Kanade's; jAER's default is 5 x 5. */
@@ -39,18 +46,12 @@ public final class LocalPlanes implements EventLabeller {
     private final SensorSize sensor;
     private final long[] lastTimeUs;
     private final PlaneFit fit = new PlaneFit((2 * WINDOW_RADIUS + 1) * (2 * WINDOW_RADIUS + 1));
-    private final SpeedControl speedControl;
     private double vx;
     private double vy;
 
     /** Makes one. */
     public LocalPlanes(SensorSize sensor) {
-        this(sensor, new SpeedControl(true));
-    }
-
-    LocalPlanes(SensorSize sensor, SpeedControl speedControl) {
         this.sensor = sensor;
-        this.speedControl = speedControl;
         lastTimeUs = new long[2 * sensor.width() * sensor.height()];
         reset();
     }
@@ -66,16 +67,16 @@ public final class LocalPlanes implements EventLabeller {
             int y = batch.y[i];
             long timeUs = batch.timeUs[i];
             int cell = (batch.polarity[i] > 0 ? pixels : 0) + y * width + x;
-            long before = lastTimeUs[cell];
-            lastTimeUs[cell] = timeUs;
             Labels.set(output, i, 0, 0);
-            boolean echo = before != NEVER && timeUs - before < REFRACTORY_US;
-            if (!echo && x >= WINDOW_RADIUS && y >= WINDOW_RADIUS && x < width - WINDOW_RADIUS
+            long before = lastTimeUs[cell];
+            if (before != NEVER && timeUs - before < REFRACTORY_US) {
+                continue;
+            }
+            lastTimeUs[cell] = timeUs;
+            if (x >= WINDOW_RADIUS && y >= WINDOW_RADIUS && x < width - WINDOW_RADIUS
                     && y < sensor.height() - WINDOW_RADIUS) {
                 estimate(cell, timeUs);
-                if (speedControl.accepts(Math.hypot(vx, vy))) {
-                    Labels.set(output, i, vx, vy);
-                }
+                Labels.set(output, i, vx, vy);
             }
         }
     }
@@ -83,7 +84,6 @@ public final class LocalPlanes implements EventLabeller {
     @Override
     public void reset() {
         Arrays.fill(lastTimeUs, NEVER);
-        speedControl.reset();
     }
 
     private void estimate(int centre, long timeUs) {
