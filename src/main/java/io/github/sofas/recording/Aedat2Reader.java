@@ -1,6 +1,27 @@
 package io.github.sofas.recording;
 
-import static io.github.sofas.recording.Aedat2Format.*;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_IMU;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_NOT_DVS;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_ON_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_SPECIAL;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_X_MASK;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_X_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_Y_MASK;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_Y_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DVS128_MASK;
+import static io.github.sofas.recording.Aedat2Format.DVS128_OFF;
+import static io.github.sofas.recording.Aedat2Format.DVS128_SPECIAL;
+import static io.github.sofas.recording.Aedat2Format.DVS128_UNUSED;
+import static io.github.sofas.recording.Aedat2Format.DVS128_X_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DVS128_Y_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.IMU_CODE_MASK;
+import static io.github.sofas.recording.Aedat2Format.IMU_CODE_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.IMU_WORDS;
+import static io.github.sofas.recording.Aedat2Format.INT;
+import static io.github.sofas.recording.Aedat2Format.RECORD_BYTES_1;
+import static io.github.sofas.recording.Aedat2Format.RECORD_BYTES_2;
+import static io.github.sofas.recording.Aedat2Format.SHORT;
+import static io.github.sofas.recording.Aedat2Format.WRAP_US;
 
 import io.github.sofas.event.EventBatch;
 import java.io.IOException;
@@ -73,7 +94,8 @@ final class Aedat2Reader extends RecordingReader {
         int lastRaw = lastRawTime;
         try {
             for (; p <= lastRecord && n < capacity; p += stride) {
-                int address = stride == RECORD_BYTES_1 ? (short) SHORT.get(buffer, p) & 0xFFFF : (int) INT.get(buffer, p);
+                int address = stride == RECORD_BYTES_1
+                        ? (short) SHORT.get(buffer, p) & 0xFFFF : (int) INT.get(buffer, p);
                 int raw = (int) INT.get(buffer, p + timeAt);
                 if ((address & (DVS128_SPECIAL | DVS128_UNUSED)) != 0) {
                     if ((address & DVS128_SPECIAL) != 0) {
@@ -180,8 +202,8 @@ final class Aedat2Reader extends RecordingReader {
     }
 
     private void strangeAddress(int address, int n, int p) {
-        addFault("address", () -> at(eventNumber(n), offsetOf(p)) + "malformed, a DVS128 address must have 16 bits but was "
-                + String.format("0x%08X", address) + "; its low 16 bits were used");
+        addFault("address", () -> at(eventNumber(n), offsetOf(p)) + "malformed, a DVS128 address must have 16 bits "
+                + String.format("but was 0x%08X", address) + "; its low 16 bits were used");
     }
 
     /** Decides what it means that an event's time lies below the one before. */

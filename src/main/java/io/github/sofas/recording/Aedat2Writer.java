@@ -1,6 +1,15 @@
 package io.github.sofas.recording;
 
-import static io.github.sofas.recording.Aedat2Format.*;
+import static io.github.sofas.recording.Aedat2Format.CHIP_LINE;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_ON_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_X_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DAVIS_Y_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DVS128_OFF;
+import static io.github.sofas.recording.Aedat2Format.DVS128_X_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.DVS128_Y_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.END_LINE;
+import static io.github.sofas.recording.Aedat2Format.INT;
+import static io.github.sofas.recording.Aedat2Format.RECORD_BYTES_2;
 
 import io.github.sofas.event.EventBatch;
 import java.io.BufferedOutputStream;
@@ -46,8 +55,8 @@ public final class Aedat2Writer implements Closeable {
     /**
      * Appends the events of a batch.
      *
-     * @throws IllegalArgumentException where an event lies outside the chip's sensor or before the one that precedes it;
-     *     the events before it are written
+     * @throws IllegalArgumentException where an event lies outside the chip's sensor or before the one that precedes
+     *     it; the events before it are written
      * @throws IOException where the file cannot be written
      */
     public void write(EventBatch batch) throws IOException {

@@ -33,6 +33,31 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         return choose(fileName, headerChip, optionChip);
     }
 
+    /**
+     * Chooses for a format that may hold the size itself; its chip name need not be a known one then.
+     *
+     * @param width columns as the header writes them, or null
+     * @param height rows likewise
+     */
+    static ChipChoice withOwnSize(String fileName, String headerChip, String width, String height, String optionChip)
+            throws EventSourceException {
+        if (width == null || height == null) {
+            return choose(fileName, headerChip, optionChip);
+        }
+        SensorSize sensor;
+        try {
+            sensor = new SensorSize(Integer.parseInt(width), Integer.parseInt(height));
+        } catch (IllegalArgumentException e) {
+            throw new MalformedRecordingException("[" + fileName + "] header: unsupported, the sensor must measure "
+                    + "1x1 to " + SensorSize.MAX_WIDTH + "x" + SensorSize.MAX_HEIGHT + " but was " + width + "x"
+                    + height, e);
+        }
+        boolean differs = optionChip != null && !named(fileName, optionChip).sensor.equals(sensor);
+        return new ChipChoice(headerChip, null, sensor, !differs ? null
+                : "[" + fileName + "] the header names a sensor of " + sensor + ", so --chip " + optionChip
+                + " was not used");
+    }
+
     private static ChipChoice choose(String fileName, String headerChip, String optionChip)
             throws EventSourceException {
         ChipChoice option = optionChip == null ? null : named(fileName, optionChip);
@@ -42,7 +67,8 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
             boolean differs = option != null && !(option.sensor.equals(chip.sensor())
                     && (option.chip == null || option.chip.layout() == chip.layout()));
             return new ChipChoice(chip.name(), chip, chip.sensor(), !differs ? null
-                    : "[" + fileName + "] the header names " + chip.name() + ", so --chip " + optionChip + " was not used");
+                    : "[" + fileName + "] the header names " + chip.name() + ", so --chip " + optionChip
+                    + " was not used");
         }
         if (option == null) {
             throw new EventSourceException("[" + fileName + "] " + (headerChip == null
@@ -50,7 +76,8 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
                     + ": --chip must name one of " + Chip.knownNames());
         }
         return headerChip == null ? option : new ChipChoice(option.name, option.chip, option.sensor,
-                "[" + fileName + "] the header's chip " + headerChip + " is not known, so --chip " + optionChip + " was used");
+                "[" + fileName + "] the header's chip " + headerChip + " is not known, so --chip " + optionChip
+                + " was used");
     }
 
     private static ChipChoice named(String fileName, String name) throws EventSourceException {

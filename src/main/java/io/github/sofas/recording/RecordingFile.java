@@ -69,6 +69,36 @@ final class RecordingFile implements Closeable {
         return true;
     }
 
+    /**
+     * Copies bytes out, past the buffer where they are many.
+     *
+     * @return how many there were, fewer than asked for only at the file's end
+     */
+    int read(byte[] target, int from, int bytes) throws IOException {
+        int done = Math.min(bytes, limit - position);
+        System.arraycopy(buffer, position, target, from, done);
+        position += done;
+        while (done < bytes) {
+            if (bytes - done < BUFFER_BYTES) {
+                boolean whole = require(bytes - done);
+                int rest = Math.min(bytes - done, limit - position);
+                System.arraycopy(buffer, position, target, from + done, rest);
+                position += rest;
+                return whole ? bytes : done + rest;
+            }
+            bufferOffset += limit;
+            position = 0;
+            limit = 0;
+            int read = channel.read(ByteBuffer.wrap(target, from + done, bytes - done));
+            if (read < 0) {
+                return done;
+            }
+            bufferOffset += read;
+            done += read;
+        }
+        return done;
+    }
+
     /** Goes to a place in the file, forwards or backwards. */
     void seek(long offset) throws IOException {
         if (offset >= bufferOffset && offset <= bufferOffset + limit) {

@@ -140,9 +140,14 @@ public abstract class RecordingReader implements EventSource {
         return false;
     }
 
+    /** Gives back what a format holds beside the file. */
+    void release() {
+    }
+
     @Override
     public final void close() {
         ended = true;
+        release();
         try {
             file.close();
         } catch (IOException e) {

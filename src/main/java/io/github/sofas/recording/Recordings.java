@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 
 /** Opens recordings of every format that is served. */
 public final class Recordings {
@@ -54,8 +55,8 @@ public final class Recordings {
             if (lower.endsWith(".dat") || lower.endsWith(".aedat")) {
                 version = "1.0";
             } else {
-                throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, a recording must "
-                        + "start with #!AER-DAT or have the extension .aedat or .dat");
+                throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, a recording "
+                        + "must start with #!AER-DAT or have the extension .aedat or .dat");
             }
         }
         switch (version) {
@@ -63,9 +64,11 @@ public final class Recordings {
                 return aedat2(file, options, "AEDAT 1.0", Aedat2Format.RECORD_BYTES_1);
             case "2.0":
                 return aedat2(file, options, "AEDAT 2.0", Aedat2Format.RECORD_BYTES_2);
+            case "4.0":
+                return aedat4(file, options);
             default:
-                throw new MalformedRecordingException("[" + file.name + "] header at byte 9: unsupported, the AEDAT version "
-                        + "must be one of 1.0, 2.0 but was \"" + version + "\"");
+                throw new MalformedRecordingException("[" + file.name + "] header at byte 9: unsupported, the AEDAT "
+                        + "version must be one of 1.0, 2.0, 4.0 but was \"" + version + "\"");
         }
     }
 
@@ -74,12 +77,30 @@ public final class Recordings {
         AedatHeader header = AedatHeader.read(file);
         ChipChoice choice = ChipChoice.withLayout(file.name, header.chip(), options.chip());
         if (recordBytes == Aedat2Format.RECORD_BYTES_1 && choice.chip().layout() != Chip.AddressLayout.DVS128) {
-            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the chip of an AEDAT 1.0 "
-                    + "recording must have 16-bit addresses but was " + choice.name());
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the chip of an "
+                    + "AEDAT 1.0 recording must have 16-bit addresses but was " + choice.name());
         }
         RecordingReader reader = new Aedat2Reader(file, options, formatName, recordBytes, choice.name(), choice.chip());
         choice.reportTo(reader);
         return reader;
+    }
+
+    private static RecordingReader aedat4(RecordingFile file, RecordingOptions options)
+            throws IOException, EventSourceException {
+        Aedat4Header header = Aedat4Header.read(file);
+        for (Map.Entry<Integer, Aedat4Header.Stream> entry : header.streams().entrySet()) {
+            Aedat4Header.Stream stream = entry.getValue();
+            if (Aedat4Format.EVENTS.equals(stream.type())) {
+                ChipChoice choice = ChipChoice.withOwnSize(file.name, stream.chip(), stream.width(), stream.height(),
+                        options.chip());
+                RecordingReader reader = new Aedat4Reader(file, options, header, entry.getKey(), choice);
+                choice.reportTo(reader);
+                return reader;
+            }
+        }
+        throw new MalformedRecordingException("[" + file.name + "] header at byte " + Aedat4Format.MAGIC_BYTES
+                + ": unsupported, a recording must declare a stream of events (EVTS) but had " + header.streams().size()
+                + " others");
     }
 
     /** What follows the magic up to the line's end; null where the file does not start with the magic. */

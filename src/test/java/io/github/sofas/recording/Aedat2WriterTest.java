@@ -65,7 +65,8 @@ public class Aedat2WriterTest {
         batch.add(1, 0, 0, 1);
         batch.add(2, 128, 0, 1);
         assertEquals("event 1: x must be smaller than width 128 but was 128",
-                assertThrows(IllegalArgumentException.class, () -> roundTrip(Chip.named("DVS128").get(), batch)).getMessage());
+                assertThrows(IllegalArgumentException.class,
+                () -> roundTrip(Chip.named("DVS128").get(), batch)).getMessage());
     }
 
     @Test public void refusesTimeThatFalls() throws Exception {
@@ -73,7 +74,8 @@ public class Aedat2WriterTest {
         batch.add(7, 0, 0, 1);
         batch.add(6, 0, 0, 1);
         assertEquals("event 1: time must not fall below 7 us but was 6 us",
-                assertThrows(IllegalArgumentException.class, () -> roundTrip(Chip.named("DVS128").get(), batch)).getMessage());
+                assertThrows(IllegalArgumentException.class,
+                () -> roundTrip(Chip.named("DVS128").get(), batch)).getMessage());
     }
 
     private EventBatch roundTrip(Chip chip, EventBatch written) throws Exception {

@@ -1,0 +1,65 @@
+package io.github.sofas.recording;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+
+/**
+ * AEDAT 4.0, as DV and dv-processing write it, little-endian throughout: a magic line; a FlatBuffer {@code IOHE} with
+ * compression, place of the data table and an XML text that declares the streams; packets of stream id, size and
+ * payload; the data table {@code FTAB}, missing where recording was cut short. A payload, once unpacked, is a
+ * FlatBuffer with a length prefix. x runs right, y down.
+ *
+ * <p>Source: gitlab.com/inivation/dv/dv-processing, include/dv-processing/io and data.
+ */
+final class Aedat4Format {
+    static final VarHandle INT = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
+    static final VarHandle LONG = MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
+
+    static final int MAGIC_BYTES = 14;
+    /** Place of a root table's offset and identifier in a FlatBuffer, from its length prefix. */
+    static final int ROOT_AT = 4;
+    static final int IDENTIFIER_AT = 8;
+    static final int IDENTIFIER_BYTES = 4;
+
+    static final String HEADER = "IOHE";
+    static final String EVENTS = "EVTS";
+    static final String FRAMES = "FRME";
+    static final String IMU = "IMUS";
+    static final String TRIGGERS = "TRIG";
+    static final String DATA_TABLE = "FTAB";
+
+    /** Fields of the IOHE table, as places in a vtable. */
+    static final int HEADER_COMPRESSION = 4;
+    static final int HEADER_DATA_TABLE = 6;
+    static final int HEADER_XML = 8;
+    /** The one field of the payloads' tables and of FTAB: a vector. */
+    static final int ELEMENTS = 4;
+    /** Fields of an entry of FTAB. */
+    static final int ENTRY_PACKET = 6;
+    static final int ENTRY_ELEMENTS = 8;
+
+    static final int PACKET_HEADER_BYTES = 8;
+    static final int EVENT_BYTES = 16;
+    static final int EVENT_PIXEL_AT = 8;
+    static final int EVENT_POLARITY_AT = 12;
+
+    /** Larger ones are refused, so that a size that lies costs no more memory than this; recorders stay below 4 MiB. */
+    static final int MAX_HEADER_BYTES = 16 << 20;
+    static final int MAX_PACKED_BYTES = 256 << 20;
+    static final int MAX_UNPACKED_BYTES = 512 << 20;
+
+    /** How payloads are packed, in the order of the codes. */
+    enum Compression {
+        NONE("none"), LZ4("LZ4"), LZ4_HIGH("LZ4_HIGH"), ZSTD("ZSTD"), ZSTD_HIGH("ZSTD_HIGH");
+
+        final String label;
+
+        Compression(String label) {
+            this.label = label;
+        }
+    }
+
+    private Aedat4Format() {
+    }
+}

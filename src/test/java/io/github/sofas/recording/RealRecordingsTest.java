@@ -1,0 +1,107 @@
+package io.github.sofas.recording;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.EventBatch;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.zip.CRC32;
+import org.junit.Assume;
+import org.junit.Before;
+import org.junit.Test;
+
+/** Recordings of real cameras, which the project may not hold itself. */
+public class RealRecordingsTest {
+    private static final Path FOLDER = Path.of("..", "shared", "recordings");
+
+    /** What was read: counts, and a checksum over the events with time from the first event on. */
+    private static final class Read {
+        final RecordingCounts counts;
+        final List<String> faults;
+        final long firstTimeUs;
+        final long lastTimeUs;
+        final long checksum;
+
+        Read(RecordingReader reader, long checksum) {
+            counts = reader.counts();
+            faults = reader.faults();
+            firstTimeUs = reader.firstTimeUs();
+            lastTimeUs = reader.lastTimeUs();
+            this.checksum = checksum;
+        }
+    }
+
+    @Before public void needsTheFolder() {
+        Assume.assumeTrue("needs " + FOLDER + ", which is not part of the project", Files.isDirectory(FOLDER));
+    }
+
+    @Test public void countsTheEventsOfEveryRecording() throws Exception {
+        assertFaultless(16_000, "synthetic-square.aedat", "DAVIS240C");
+        assertFaultless(10_000, "synthetic-bar-x.aedat", "DAVIS240C");
+        assertFaultless(100_000, "synthetic-double-bar.aedat", "DAVIS240C");
+        assertFaultless(340_394, "stripes.aedat", null);
+        assertFaultless(115_839, "building.aedat", null);
+        assertFaultless(50_000, "slider-depth.aedat", null);
+        assertFaultless(489_834, "dark-box.aedat", "DVS128");
+        assertFaultless(278_538, "pendulum-ball.aedat", null);
+        assertFaultless(293_096, "mouse-negative-time.aedat", null);
+        assertFaultless(290_292, "standing-up.aedat", null);
+        assertFaultless(70_304, "walking.aedat", null);
+        assertFaultless(6_676, "cars-first-170ms.aedat4", null);
+        assertFaultless(323_963, "moving-head.aedat4", null);
+    }
+
+    @Test public void readsOneSceneAlikeFromThreeFormats() throws Exception {
+        Read lz4 = assertFaultless(78_830, "cars.aedat4", null);
+        Read zstd = assertFaultless(78_830, "cars-zstd.aedat4", null);
+        Read aedat2 = assertFaultless(78_830, "cars.aedat", null);
+        assertEquals(lz4.checksum, zstd.checksum);
+        assertEquals(lz4.checksum, aedat2.checksum);
+        assertEquals(59, lz4.counts.frames());
+        assertEquals(2_363, lz4.counts.imuSamples());
+        assertEquals(236, lz4.counts.triggers());
+    }
+
+    @Test public void reportsTheImuSampleThatTheEndCutsOff() throws Exception {
+        Read read = read("boxes-translation.aedat", null);
+        assertEquals(162_771, read.counts.events());
+        assertEquals(4_833, read.counts.imuSamples());
+        assertEquals(List.of("[boxes-translation.aedat] event 162771 at byte 1748132: truncated, an IMU sample must "
+                + "have 7 words but had 6"), read.faults);
+    }
+
+    @Test public void keepsNegativeTimes() throws Exception {
+        Read read = read("mouse-negative-time.aedat", null);
+        assertEquals(-1_293_810_339L, read.firstTimeUs);
+        assertEquals(-1_275_385_039L, read.lastTimeUs);
+        assertEquals(0, read.counts.timeWraps());
+    }
+
+    private static Read assertFaultless(long events, String name, String chip) throws Exception {
+        Read read = read(name, chip);
+        assertEquals(name, events, read.counts.events());
+        assertEquals(name, List.of(), read.faults);
+        return read;
+    }
+
+    private static Read read(String name, String chip) throws Exception {
+        CRC32 checksum = new CRC32();
+        ByteBuffer event = ByteBuffer.allocate(13);
+        EventBatch batch = new EventBatch(4096);
+        RecordingOptions options = RecordingOptions.defaults().withChip(chip);
+        try (RecordingReader reader = Recordings.open(FOLDER.resolve(name), options)) {
+            while (reader.next(batch)) {
+                for (int i = 0; i < batch.size(); i++) {
+                    assertTrue(reader.sensor().contains(batch.x[i], batch.y[i]));
+                    event.clear().putLong(batch.timeUs[i] - reader.firstTimeUs()).putShort(batch.x[i])
+                            .putShort(batch.y[i]).put(batch.polarity[i]);
+                    checksum.update(event.array());
+                }
+            }
+            return new Read(reader, checksum.getValue());
+        }
+    }
+}
