@@ -59,9 +59,12 @@ public final class LucasKanade implements EventLabeller {
     private double vx;
     private double vy;
 
-    /** Makes one with jAER's default derivative. */
+    /**
+     * Makes one with {@link Derivative#SAVITZKY_GOLAY}, the best of the three: it has the -35 % of magnitude error that
+     * the SOFAS paper found Lucas-Kanade to have.
+     */
     public LucasKanade(SensorSize sensor) {
-        this(sensor, Derivative.CENTRAL_DIFFERENCE);
+        this(sensor, Derivative.SAVITZKY_GOLAY);
     }
 
     /** Makes one. */

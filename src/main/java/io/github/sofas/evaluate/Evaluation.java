@@ -1,5 +1,9 @@
 package io.github.sofas.evaluate;
 
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.simulate.SimulatedRecording;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -22,6 +26,7 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
                          long noiseEventsWithFlow, FlowFigures flow, List<FlowFigures> flowByObject,
                          SegmentationFigures segmentation, List<SegmentationFigures> segmentationByObject,
                          List<ConvergenceBin> convergence) {
+    private static final int BATCH = 4096;
 
     /**
      * Computes all figures.
@@ -65,6 +70,29 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
         return new Evaluation(options, n, n - start, noise, noiseWithFlow, all.figures(), List.copyOf(flowByObject),
                 segmentation.figuresOfAll(), List.copyOf(segmentationByObject),
                 ConvergenceBin.of(truth, estimate, ids, options));
+    }
+
+    /**
+     * Lets a method label a simulated recording and computes all figures.
+     *
+     * @param method made for the recording's sensor; not reset before
+     */
+    public static Evaluation of(SimulatedRecording recording, EventLabeller method, EvaluationOptions options) {
+        EventBatch batch = new EventBatch(BATCH);
+        FlowOutput output = new FlowOutput(BATCH);
+        FlowEstimate estimate = new FlowEstimate();
+        for (int from = 0; from < recording.size(); from += BATCH) {
+            int count = Math.min(BATCH, recording.size() - from);
+            System.arraycopy(recording.timeUs, from, batch.timeUs, 0, count);
+            System.arraycopy(recording.x, from, batch.x, 0, count);
+            System.arraycopy(recording.y, from, batch.y, 0, count);
+            System.arraycopy(recording.polarity, from, batch.polarity, 0, count);
+            batch.setSize(count);
+            method.process(batch, output);
+            estimate.append(output, count);
+        }
+        return of(new GroundTruth(recording.timeUs, recording.vxPxPerS, recording.vyPxPerS, recording.object),
+                estimate, options);
     }
 
     private static int firstCounted(GroundTruth truth, double skipFirstShare) {

@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
+import java.util.List;
 
 /**
  * A method that gives events a velocity and a segment: SOFAS itself, or one that it is compared with. It is used by one
@@ -16,6 +17,11 @@ public interface EventLabeller {
      * @throws IllegalArgumentException where the batch holds more events than the output
      */
     void process(EventBatch batch, FlowOutput output);
+
+    /** What is known of the segments that live now; none where the method finds no segments. */
+    default List<Segment> segments() {
+        return List.of();
+    }
 
     /** Forgets all events, as if made anew. */
     void reset();

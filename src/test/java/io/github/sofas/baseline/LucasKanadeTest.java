@@ -136,7 +136,7 @@ public class LucasKanadeTest {
             timeUs += random.nextInt(200);
             batch.add(timeUs, random.nextInt(24), random.nextInt(24), random.nextInt(2) * 2 - 1);
         }
-        LucasKanade method = new LucasKanade(new SensorSize(24, 24));
+        LucasKanade method = new LucasKanade(new SensorSize(24, 24), Derivative.CENTRAL_DIFFERENCE);
         method.process(batch, output);
         method.reset();
         EventBatch one = new EventBatch(1);

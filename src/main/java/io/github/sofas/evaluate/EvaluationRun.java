@@ -1,0 +1,58 @@
+package io.github.sofas.evaluate;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSource;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import java.io.IOException;
+
+/**
+ * One recording labelled by a method and held against its truth.
+ *
+ * @param evaluation the figures; of the events before the damage where there is any
+ * @param damage why the recording could not be read to its end; null where it was
+ * @param methodSeconds time that the method took
+ */
+public record EvaluationRun(Evaluation evaluation, EventSourceException damage, double methodSeconds) {
+    private static final int BATCH = 4096;
+
+    /**
+     * Reads, labels and evaluates.
+     *
+     * @param source read to its end or its damage, not closed
+     * @param truth just opened; not closed
+     * @param method made for the source's sensor
+     * @throws TruthException where the truth is malformed or of another recording
+     * @throws IOException where the truth cannot be read
+     */
+    public static EvaluationRun of(EventSource source, TruthCsvReader truth, EventLabeller method,
+                                   EvaluationOptions options) throws TruthException, IOException {
+        EventBatch batch = new EventBatch(BATCH);
+        FlowOutput output = new FlowOutput(BATCH);
+        FlowEstimate estimate = new FlowEstimate();
+        EventSourceException damage = null;
+        long methodNs = 0;
+        try {
+            while (source.next(batch)) {
+                truth.read(batch);
+                long start = System.nanoTime();
+                method.process(batch, output);
+                methodNs += System.nanoTime() - start;
+                estimate.append(output, batch.size());
+            }
+        } catch (EventSourceException e) {
+            damage = e;
+        }
+        // The truth of a damaged recording's lost events is left unread.
+        if (damage == null) {
+            truth.end();
+        }
+        return new EvaluationRun(Evaluation.of(truth.truth(), estimate, options), damage, methodNs * 1e-9);
+    }
+
+    /** Events a second of the method's own time; 0 where none passed. */
+    public double eventsPerSecond() {
+        return methodSeconds > 0 ? evaluation.events() / methodSeconds : 0;
+    }
+}

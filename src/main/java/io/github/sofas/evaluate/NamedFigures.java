@@ -1,0 +1,100 @@
+package io.github.sofas.evaluate;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** Every figure under the name that it has in text, JSON and CSV. A figure of nothing is null. */
+final class NamedFigures {
+    private static final int DECIMALS = 6;
+
+    private NamedFigures() {
+    }
+
+    static Map<String, Number> flow(FlowFigures flow) {
+        Map<String, Number> figures = new LinkedHashMap<>();
+        figures.put("events", flow.events());
+        figures.put("events_with_flow", flow.eventsWithFlow());
+        figures.put("share_with_flow", of(flow.shareWithFlow(), flow.events()));
+        put(figures, "magnitude_error_percent", flow.magnitudeErrorPercent());
+        put(figures, "direction_error_deg", flow.directionErrorDeg());
+        put(figures, "angular_error_deg", flow.angularErrorDeg());
+        put(figures, "endpoint_error_px_per_s", flow.endpointErrorPxPerS());
+        put(figures, "relative_endpoint_error_percent", flow.relativeEndpointErrorPercent());
+        figures.put("endpoint_error_percent_of_peak", of(flow.endpointErrorPercentOfPeak(), flow.eventsWithFlow()));
+        figures.put("outlier_share", of(flow.outlierShare(), flow.eventsWithFlow()));
+        figures.put("relative_outlier_share",
+                of(flow.relativeOutlierShare(), flow.relativeEndpointErrorPercent().count()));
+        return figures;
+    }
+
+    private static void put(Map<String, Number> figures, String name, Distribution distribution) {
+        long count = distribution.count();
+        figures.put(name + "_mean", of(distribution.mean(), count));
+        figures.put(name + "_sd", of(distribution.sd(), count));
+        figures.put(name + "_lower_quartile", of(distribution.lowerQuartile(), count));
+        figures.put(name + "_median", of(distribution.median(), count));
+        figures.put(name + "_upper_quartile", of(distribution.upperQuartile(), count));
+    }
+
+    static Map<String, Number> segmentation(SegmentationFigures segmentation) {
+        Map<String, Number> figures = new LinkedHashMap<>();
+        long pairs = segmentation.pairs();
+        figures.put("windows", pairs);
+        figures.put("iou_mean", of(segmentation.meanIou(), pairs));
+        figures.put("iou_without_noise_mean", of(segmentation.meanIouWithoutNoise(), pairs));
+        figures.put("iou_worst", of(segmentation.worstIou(), pairs));
+        figures.put("parts_per_object", ofPositive(segmentation.partsPerObject()));
+        figures.put("objects_per_part", ofPositive(segmentation.objectsPerPart()));
+        figures.put("identity_changes", segmentation.identityChanges());
+        figures.put("objects_labelled", segmentation.labelled());
+        figures.put("first_labelled_ms", of(segmentation.firstLabelledUs() / 1e3, segmentation.labelled()));
+        figures.put("first_labelled_px", of(segmentation.firstLabelledPx(), segmentation.labelled()));
+        return figures;
+    }
+
+    static Map<String, Number> noise(Evaluation evaluation) {
+        Map<String, Number> figures = new LinkedHashMap<>();
+        figures.put("events", evaluation.noiseEvents());
+        figures.put("events_with_flow", evaluation.noiseEventsWithFlow());
+        figures.put("share_with_flow", of(evaluation.noiseShareWithFlow(), evaluation.noiseEvents()));
+        return figures;
+    }
+
+    static Map<String, Number> convergence(ConvergenceBin bin) {
+        Map<String, Number> figures = new LinkedHashMap<>();
+        figures.put("from_ms", bin.fromUs() / 1e3);
+        figures.put("until_ms", bin.untilUs() / 1e3);
+        figures.put("events", bin.events());
+        figures.put("share_with_flow", of(bin.shareWithFlow(), bin.events()));
+        figures.put("magnitude_error_percent_mean", of(bin.meanMagnitudeErrorPercent(), bin.eventsWithFlow()));
+        figures.put("angular_error_deg_mean", of(bin.meanAngularErrorDeg(), bin.eventsWithFlow()));
+        figures.put("endpoint_error_px_per_s_mean", of(bin.meanEndpointErrorPxPerS(), bin.eventsWithFlow()));
+        figures.put("relative_endpoint_error_percent_mean",
+                of(bin.meanRelativeEndpointErrorPercent(), bin.eventsWithFlow()));
+        return figures;
+    }
+
+    private static Number of(double value, long count) {
+        return count == 0 ? null : value;
+    }
+
+    /** Means of counts that begin at 1: 0 stands for none. */
+    private static Number ofPositive(double value) {
+        return value == 0 ? null : value;
+    }
+
+    /** Whole numbers as they are, others with at most so many decimals, a point and no exponent. */
+    static String text(Number value, int decimals) {
+        if (value instanceof Double) {
+            return BigDecimal.valueOf(value.doubleValue()).setScale(decimals, RoundingMode.HALF_UP).toPlainString();
+        }
+        return value.toString();
+    }
+
+    /** As CSV and JSON have it. */
+    static String text(Number value) {
+        return text(value, DECIMALS);
+    }
+}
