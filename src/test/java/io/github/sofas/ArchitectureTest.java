@@ -4,6 +4,7 @@ import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static org.junit.Assert.assertEquals;
 
@@ -71,6 +72,15 @@ public class ArchitectureTest {
             .andShould().onlyDependOnClassesThat(not(resideInAnyPackage("java.util.zip..", "java.lang.foreign..")))
             .because("the core is pure computation that any program can embed")
             .check(MAIN);
+    }
+
+    @Test
+    public void everyTestIsInAClassThatTheBuildRuns() {
+        JavaClasses all = new ClassFileImporter().importPackages(ROOT);
+        methods().that().areAnnotatedWith(Test.class)
+            .should().beDeclaredInClassesThat().haveSimpleNameEndingWith("Test")
+            .because("gradle/java.gradle selects tests by this name")
+            .check(all);
     }
 
     private static String packages(String name) {
