@@ -60,11 +60,32 @@ run() {
     counts=$(mktemp)
     trap 'rm -f "$counts"' EXIT
     code=0
-    "$folder/bin/gradle" -p "$project" "-PtestCounts=$counts" "$@" || code=$?
+    start "$folder" -p "$project" "-PtestCounts=$counts" "$@" || code=$?
     # The sum over all modules, as the last line.
     awk '{ passed += $1; failed += $3; skipped += $5 }
         END { if (NR) printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped }' "$counts"
     exit "$code"
+}
+
+# Starts the Gradle in folder $1. Debian's own script prints Java's version each time, so its launcher is called.
+start() {
+    folder=$1
+    shift
+    if [ "$folder" = /usr/share/gradle ]; then
+        # shellcheck disable=SC2086
+        "$JAVA_HOME/bin/java" --add-opens java.base/java.lang=ALL-UNNAMED ${JAVA_OPTS:-} ${GRADLE_OPTS:-} \
+            -Dorg.gradle.appname=gradlew -classpath "$folder/lib/gradle-launcher-$version.jar" \
+            org.gradle.launcher.GradleMain "$@"
+    else
+        "$folder/bin/gradle" "$@"
+    fi
+}
+
+run_gradle_on_path() {
+    if on_path=$(command -v gradle); then
+        on_path=$(readlink -f "$on_path" 2>/dev/null || echo "$on_path")
+        run "${on_path%/bin/gradle}" "$@"
+    fi
 }
 
 # Prints the folder of the pinned distribution, downloaded and checked where it is not there yet.
@@ -86,7 +107,7 @@ pinned_folder() {
 download() {
     say "fetching $pinned_url"
     if command -v curl >/dev/null; then
-        curl -fsSL --connect-timeout 10 --retry 1 -o "$1" "$pinned_url" >&2 || return 1
+        curl -fsSL --connect-timeout 10 -o "$1" "$pinned_url" >&2 || return 1
     elif command -v wget >/dev/null; then
         wget -q --connect-timeout=10 --tries=1 -O "$1" "$pinned_url" >&2 || return 1
     else
@@ -130,22 +151,15 @@ install_package() {
 
 java_home_given=${JAVA_HOME:-}
 
-if on_path=$(command -v gradle); then
-    on_path=$(readlink -f "$on_path" 2>/dev/null || echo "$on_path")
-    run "${on_path%/bin/gradle}" "$@"
-fi
+run_gradle_on_path "$@"
 if find_java 17 "$(newest_java_for "$pinned" '')" javac >/dev/null; then
     if folder=$(pinned_folder); then
         run "$folder" "$@"
-    else
-        say "the pinned Gradle $pinned is not to be had"
     fi
+    say "the pinned Gradle $pinned is not to be had"
 fi
-if [ ! -x /usr/share/gradle/bin/gradle ] || ! find_java 17 17 javac >/dev/null; then
-    install_package || say "Debian's package is not to be had"
-fi
-if [ -x /usr/share/gradle/bin/gradle ]; then
-    run /usr/share/gradle "$@"
+if install_package; then
+    run_gradle_on_path "$@"
 fi
 say "no Gradle that serves: put Gradle 7.3 to 8 on PATH, with a JDK 17; installed Java: $(installed_java)"
 exit 1

@@ -1,3 +1,4 @@
+# shellcheck shell=sh
 # Finds installed Java; read by gradlew and sofas.
 
 # The feature version (8, 17, 25) of the Java in home $1, from its release file where it has one: asking java costs
@@ -14,12 +15,10 @@ java_version() {
     echo "${version%%[!0-9]*}"
 }
 
-# The home of the java on PATH, nothing where there is none.
-java_home_on_path() {
-    on_path=$(command -v java) || return 0
-    on_path=$(readlink -f "$on_path" 2>/dev/null) || on_path=$(command -v java)
-    on_path=${on_path%/bin/java}
-    echo "${on_path%/jre}"
+# The home of the Java that program $1 belongs to, links followed.
+java_home_of() {
+    program=$(readlink -f "$1" 2>/dev/null) || program=$1
+    echo "${program%/bin/java}"
 }
 
 # Homes to look at, one a line, the user's choice first.
@@ -27,9 +26,11 @@ java_homes() {
     if [ -n "${JAVA_HOME:-}" ]; then
         echo "$JAVA_HOME"
     fi
-    java_home_on_path
-    for home in /usr/lib/jvm/* /opt/java/* /opt/jdk* "${HOME:-/nonexistent}"/.jdks/* \
-            "${HOME:-/nonexistent}"/.sdkman/candidates/java/* /Library/Java/JavaVirtualMachines/*/Contents/Home; do
+    if java_on_path=$(command -v java); then
+        java_home_of "$java_on_path"
+    fi
+    for home in "${HOME:-}"/.jdks/* "${HOME:-}"/.sdkman/candidates/java/* \
+            /usr/lib/jvm/* /opt/java/* /opt/jdk* /Library/Java/JavaVirtualMachines/*/Contents/Home; do
         if [ -x "$home/bin/java" ]; then
             echo "$home"
         fi
