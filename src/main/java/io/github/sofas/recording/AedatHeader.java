@@ -6,24 +6,32 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The header lines of AEDAT 1.0 and 2.0.
+ * The header lines of AEDAT 1.0, 2.0 and 3.x.
  *
- * <p>Recorders since 2018 end it with a line of its own; older files do not. There it ends with the first line that
- * does not start with {@code #}, but data may start with that byte too: what looks like a line and holds a control
- * character is data, for no recorder writes one into a header.
+ * <p>AEDAT 3.x and recorders since 2018 end it with a line of its own; older files do not. There it ends with the first
+ * line that does not start with {@code #}, but data may start with that byte too: what looks like a line and holds a
+ * control character is data, for no recorder writes one into a header.
  *
- * @param chip what the header's AEChip line says, or null
- * @param dataOffset where the records start
+ * @param chip what the AEChip line (1.0, 2.0) or the first Source line (3.x) says, or null
+ * @param source the number of the first Source line, or null
+ * @param encoding what the Format line of 3.x says, or null
+ * @param hasEndLine whether the line was met that ends it
  */
-record AedatHeader(String chip, long dataOffset) {
+record AedatHeader(String chip, Integer source, String encoding, boolean hasEndLine) {
     private static final Pattern CHIP = Pattern.compile("#\\s*AEChip:\\s*(\\S+).*", Pattern.CASE_INSENSITIVE);
-    private static final Pattern END = Pattern.compile("#\\s*End Of ASCII Header", Pattern.CASE_INSENSITIVE);
-    /** The start of a line that is kept; the two lines that mean something are shorter. */
+    private static final Pattern SOURCE = Pattern.compile("#Source (\\d{1,5}):\\s*(\\S+).*", Pattern.CASE_INSENSITIVE);
+    private static final Pattern ENCODING = Pattern.compile("#Format:\\s*(\\S+).*", Pattern.CASE_INSENSITIVE);
+    private static final Pattern END = Pattern.compile("#(\\s*End Of ASCII Header|!END-HEADER)",
+            Pattern.CASE_INSENSITIVE);
+    /** The start of a line that is kept; the lines that mean something are shorter. */
     private static final int KEPT_BYTES = 512;
 
     /** Reads the header and leaves the file at the first record. */
     static AedatHeader read(RecordingFile file) throws IOException, MalformedRecordingException {
         String chip = null;
+        Integer source = null;
+        String encoding = null;
+        boolean hasEndLine = false;
         byte[] line = new byte[KEPT_BYTES];
         while (file.require(1) && file.buffer[file.position] == '#') {
             long lineOffset = file.offset();
@@ -46,14 +54,22 @@ record AedatHeader(String chip, long dataOffset) {
             file.position++;
             String text = new String(line, 0, length, StandardCharsets.ISO_8859_1).strip();
             if (END.matcher(text).matches()) {
+                hasEndLine = true;
                 break;
             }
-            Matcher matcher = CHIP.matcher(text);
-            if (chip == null && matcher.matches()) {
-                chip = matcher.group(1);
+            Matcher chipLine = CHIP.matcher(text);
+            Matcher sourceLine = SOURCE.matcher(text);
+            Matcher encodingLine = ENCODING.matcher(text);
+            if (chip == null && chipLine.matches()) {
+                chip = chipLine.group(1);
+            } else if (chip == null && sourceLine.matches()) {
+                source = Integer.valueOf(sourceLine.group(1));
+                chip = sourceLine.group(2);
+            } else if (encoding == null && encodingLine.matches()) {
+                encoding = encodingLine.group(1);
             }
         }
-        return new AedatHeader(chip, file.offset());
+        return new AedatHeader(chip, source, encoding, hasEndLine);
     }
 
     private static boolean isControl(int character) {

@@ -16,11 +16,12 @@ import java.util.regex.Pattern;
  * @param fault what is to be reported about the choice, or null
  */
 record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
+    private static final String OR_SIZE = " or a size such as 240x180";
     private static final Pattern SIZE = Pattern.compile("(\\d{1,5})[xX](\\d{1,5})");
 
     /** Chooses for a format whose addresses can only be decoded with the chip's layout. */
     static ChipChoice withLayout(String fileName, String headerChip, String optionChip) throws EventSourceException {
-        ChipChoice choice = choose(fileName, headerChip, optionChip);
+        ChipChoice choice = choose(fileName, headerChip, optionChip, "");
         if (choice.chip == null) {
             throw new EventSourceException("[" + fileName + "] chip must be one of " + Chip.knownNames()
                     + " because a size does not say how the addresses are packed, but --chip was " + optionChip);
@@ -30,7 +31,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
 
     /** Chooses for a format that holds plain coordinates but no size: a size such as 240x180 serves too. */
     static ChipChoice withSize(String fileName, String headerChip, String optionChip) throws EventSourceException {
-        return choose(fileName, headerChip, optionChip);
+        return choose(fileName, headerChip, optionChip, OR_SIZE);
     }
 
     /**
@@ -42,7 +43,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
     static ChipChoice withOwnSize(String fileName, String headerChip, String width, String height, String optionChip)
             throws EventSourceException {
         if (width == null || height == null) {
-            return choose(fileName, headerChip, optionChip);
+            return choose(fileName, headerChip, optionChip, OR_SIZE);
         }
         SensorSize sensor;
         try {
@@ -58,7 +59,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
                 + " was not used");
     }
 
-    private static ChipChoice choose(String fileName, String headerChip, String optionChip)
+    private static ChipChoice choose(String fileName, String headerChip, String optionChip, String orSize)
             throws EventSourceException {
         ChipChoice option = optionChip == null ? null : named(fileName, optionChip);
         Optional<Chip> header = headerChip == null ? Optional.empty() : Chip.named(headerChip);
@@ -73,7 +74,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         if (option == null) {
             throw new EventSourceException("[" + fileName + "] " + (headerChip == null
                     ? "the recording names no chip" : "the recording's chip " + headerChip + " is not known")
-                    + ": --chip must name one of " + Chip.knownNames());
+                    + ": --chip must name one of " + Chip.knownNames() + orSize);
         }
         return headerChip == null ? option : new ChipChoice(option.name, option.chip, option.sensor,
                 "[" + fileName + "] the header's chip " + headerChip + " is not known, so --chip " + optionChip
@@ -87,8 +88,8 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         }
         Matcher size = SIZE.matcher(name);
         if (!size.matches()) {
-            throw new EventSourceException("[" + fileName + "] --chip must name one of " + Chip.knownNames()
-                    + " or a size such as 240x180 but was " + name);
+            throw new EventSourceException("[" + fileName + "] --chip must name one of " + Chip.knownNames() + OR_SIZE
+                    + " but was " + name);
         }
         try {
             return new ChipChoice(null, null,

@@ -128,7 +128,8 @@ public abstract class RecordingReader implements EventSource {
             } catch (EventSourceException e) {
                 damage = e;
             } catch (IOException e) {
-                damage = new EventSourceException(at(eventNumber(0), file.offset()) + "cannot be read: " + e, e);
+                damage = new EventSourceException("[" + file.name + "] event " + eventNumber(0) + " at byte "
+                        + file.offset() + ": cannot be read: " + e, e);
             }
         }
         if (batch.size() > 0) {
@@ -213,7 +214,7 @@ public abstract class RecordingReader implements EventSource {
     }
 
     /** Names a place, in the grammar of all messages. */
-    final String at(long event, long offset) {
+    String at(long event, long offset) {
         return "[" + file.name + "] event " + event + " at byte " + offset + ": ";
     }
 }

@@ -19,7 +19,7 @@ public final class Recordings {
 
     /**
      * Opens a recording: by the magic at its start, and where it has none by the file's extension ({@code .dat} and
-     * {@code .aedat} are AEDAT 1.0).
+     * {@code .aedat} are AEDAT 1.0, {@code .txt} is text).
      *
      * @return a reader before the first event, to be closed by the caller
      * @throws MalformedRecordingException where the header is damaged or the format is not served
@@ -54,9 +54,11 @@ public final class Recordings {
             String lower = file.name.toLowerCase(Locale.ROOT);
             if (lower.endsWith(".dat") || lower.endsWith(".aedat")) {
                 version = "1.0";
+            } else if (lower.endsWith(".txt")) {
+                return new TextReader(file, options, ChipChoice.withSize(file.name, null, options.chip()));
             } else {
                 throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, a recording "
-                        + "must start with #!AER-DAT or have the extension .aedat or .dat");
+                        + "must start with #!AER-DAT or have the extension .aedat, .dat or .txt");
             }
         }
         switch (version) {
@@ -64,11 +66,14 @@ public final class Recordings {
                 return aedat2(file, options, "AEDAT 1.0", Aedat2Format.RECORD_BYTES_1);
             case "2.0":
                 return aedat2(file, options, "AEDAT 2.0", Aedat2Format.RECORD_BYTES_2);
+            case "3.0":
+            case "3.1":
+                return aedat3(file, options, version);
             case "4.0":
                 return aedat4(file, options);
             default:
                 throw new MalformedRecordingException("[" + file.name + "] header at byte 9: unsupported, the AEDAT "
-                        + "version must be one of 1.0, 2.0, 4.0 but was \"" + version + "\"");
+                        + "version must be one of 1.0, 2.0, 3.0, 3.1, 4.0 but was \"" + version + "\"");
         }
     }
 
@@ -81,6 +86,23 @@ public final class Recordings {
                     + "AEDAT 1.0 recording must have 16-bit addresses but was " + choice.name());
         }
         RecordingReader reader = new Aedat2Reader(file, options, formatName, recordBytes, choice.name(), choice.chip());
+        choice.reportTo(reader);
+        return reader;
+    }
+
+    private static RecordingReader aedat3(RecordingFile file, RecordingOptions options, String version)
+            throws IOException, EventSourceException {
+        AedatHeader header = AedatHeader.read(file);
+        if (!header.hasEndLine()) {
+            throw new MalformedRecordingException("[" + file.name + "] header at byte " + file.offset() + ": "
+                    + (file.available() == 0 ? "truncated" : "malformed") + ", it must end with the line #!END-HEADER");
+        }
+        if (header.encoding() != null && !header.encoding().equalsIgnoreCase(Aedat3Format.RAW)) {
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the format must "
+                    + "be " + Aedat3Format.RAW + " but was " + header.encoding());
+        }
+        ChipChoice choice = ChipChoice.withSize(file.name, header.chip(), options.chip());
+        RecordingReader reader = new Aedat3Reader(file, options, version, header.source(), choice);
         choice.reportTo(reader);
         return reader;
     }

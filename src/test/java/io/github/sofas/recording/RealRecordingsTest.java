@@ -65,6 +65,23 @@ public class RealRecordingsTest {
         assertEquals(236, lz4.counts.triggers());
     }
 
+    @Test public void readsOneSliceAlikeFromAedat1And2And3() throws Exception {
+        Read aedat1 = assertFaultless(123_702, "dark-box-8s.aedat1.dat", "DVS128");
+        Read aedat2 = assertFaultless(123_702, "dark-box-8s.aedat2.aedat", null);
+        Read aedat3 = assertFaultless(123_702, "dark-box-8s.aedat3.aedat", null);
+        assertEquals(aedat2.checksum, aedat1.checksum);
+        assertEquals(aedat2.checksum, aedat3.checksum);
+        assertEquals(aedat2.lastTimeUs, aedat1.lastTimeUs);
+        assertEquals(aedat2.lastTimeUs, aedat3.lastTimeUs);
+    }
+
+    @Test public void readsTextAndAedat2Alike() throws Exception {
+        Read aedat2 = assertFaultless(50_000, "slider-depth.aedat", null);
+        Read text = assertFaultless(50_000, "slider-depth.txt", "240x180");
+        assertEquals(aedat2.checksum, text.checksum);
+        assertEquals(aedat2.firstTimeUs, text.firstTimeUs);
+    }
+
     @Test public void reportsTheImuSampleThatTheEndCutsOff() throws Exception {
         Read read = read("boxes-translation.aedat", null);
         assertEquals(162_771, read.counts.events());
