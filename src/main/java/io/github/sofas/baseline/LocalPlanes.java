@@ -66,8 +66,11 @@ public final class LocalPlanes implements EventLabeller {
             int x = batch.x[i];
             int y = batch.y[i];
             long timeUs = batch.timeUs[i];
-            int cell = (batch.polarity[i] > 0 ? pixels : 0) + y * width + x;
             Labels.set(output, i, 0, 0);
+            if (!sensor.contains(x, y)) {
+                continue;
+            }
+            int cell = (batch.polarity[i] > 0 ? pixels : 0) + y * width + x;
             long before = lastTimeUs[cell];
             if (before != NEVER && timeUs - before < REFRACTORY_US) {
                 continue;

@@ -83,8 +83,11 @@ public final class LucasKanade implements EventLabeller {
             int x = batch.x[i];
             int y = batch.y[i];
             int polarity = batch.polarity[i];
-            counts.add(batch.timeUs[i], x, y, polarity);
             Labels.set(output, i, 0, 0);
+            if (!sensor.contains(x, y)) {
+                continue;
+            }
+            counts.add(batch.timeUs[i], x, y, polarity);
             if (x >= margin && y >= margin && x < sensor.width() - margin && y < sensor.height() - margin) {
                 estimate(counts.cell(x, y, polarity));
                 Labels.set(output, i, vx, vy);

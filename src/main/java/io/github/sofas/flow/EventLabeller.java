@@ -12,7 +12,7 @@ public interface EventLabeller {
      * Labels the events of a batch, as if every event were handed over alone: how a recording is cut into batches makes
      * no difference.
      *
-     * @param batch events on the sensor that the method was made for, not earlier than those before
+     * @param batch events that are not earlier than those before; one outside the sensor gets no flow
      * @param output takes entry i for event i; overwritten
      * @throws IllegalArgumentException where the batch holds more events than the output
      */

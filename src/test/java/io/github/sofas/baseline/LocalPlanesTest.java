@@ -118,4 +118,15 @@ public class LocalPlanesTest {
         fire(990_000, 4, 4, 1);
         assertLast(40, 30);
     }
+
+    @Test
+    public void givesNoFlowToEventsOutsideTheSensor() {
+        EventBatch outside = new EventBatch(2);
+        outside.add(0, -1, 5, 1);
+        outside.add(1, 5, 11, -1);
+        output.segment[1] = 7;
+        new LocalPlanes(SENSOR).process(outside, output);
+        assertEquals(0, output.segment[0]);
+        assertEquals(0, output.segment[1]);
+    }
 }

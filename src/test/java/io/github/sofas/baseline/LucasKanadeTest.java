@@ -160,4 +160,15 @@ public class LucasKanadeTest {
                 () -> new LucasKanade(SENSOR).process(batch, new FlowOutput(1)));
         assertEquals("output must hold the batch's 2 events but holds 1", e.getMessage());
     }
+
+    @Test
+    public void givesNoFlowToEventsOutsideTheSensor() {
+        EventBatch outside = new EventBatch(2);
+        outside.add(0, -1, 5, 1);
+        outside.add(1, 5, 11, -1);
+        output.segment[1] = 7;
+        new LucasKanade(SENSOR).process(outside, output);
+        assertEquals(0, output.segment[0]);
+        assertEquals(0, output.segment[1]);
+    }
 }
