@@ -15,9 +15,30 @@ public enum Scene {
     LARGE_CIRCLE("large-circle", "a circle 70 px wide moving at 58 px/s", Scenes::largeCircle),
     /** The paper's small circle. */
     SMALL_CIRCLE("small-circle", "a circle 7 px wide moving at 58 px/s", Scenes::smallCircle),
+    /** The paper's pendulum. */
+    PENDULUM("pendulum", "a round bob on a pendulum of 0.72 m, let go at 23 degrees, for two swings",
+            Scenes::pendulum),
+    /** The paper's short rotating bar. */
+    SHORT_BAR("short-bar", "a bar of 60 x 8 px turning about its centre once a second", Scenes::shortBar),
+    /** The paper's long rotating bar. */
+    LONG_BAR("long-bar", "a bar longer than the frame turning about its centre once a second", Scenes::longBar),
     /** Two that pass beside each other. */
     TWO_OPPOSITE("two-opposite", "a hexagon and a circle passing beside each other in opposite directions",
             Scenes::twoOpposite),
+    /** Three whose paths meet. */
+    THREE_CROSSING("three-crossing", "a hexagon, a circle and a square that cross in the middle, hiding each other",
+            Scenes::threeCrossing),
+    /** A pan past bars at four depths. */
+    FOUR_BARS("four-bars", "four long bars at different depths in a camera pan, nearer ones overtake and hide others",
+            Scenes::fourBars),
+    /** One is hidden for a while. */
+    PASSING_BEHIND("passing-behind", "a circle that passes behind a slower rectangle and is hidden for a while",
+            Scenes::passingBehind),
+    /** Three creatures. */
+    THREE_WANDERING("three-wandering", "three long bodies that wander at random, turn and reverse, for 6 s",
+            Scenes::threeWandering),
+    /** Many at once. */
+    SIXTEEN("sixteen", "sixteen small shapes in four rows that pass each other", Scenes::sixteen),
     /** Nothing at all. */
     NOISE("noise", "nothing but the sensor's own noise, for 5 s", Scenes::noise);
 

@@ -1,11 +1,16 @@
 package io.github.sofas.simulate;
 
+import io.github.sofas.simulate.Motion.Rotation;
 import io.github.sofas.simulate.Motion.Straight;
+import io.github.sofas.simulate.Motion.ThereAndBack;
 import io.github.sofas.simulate.Shape.Box;
+import io.github.sofas.simulate.Shape.Capsule;
 import io.github.sofas.simulate.Shape.Disc;
 import io.github.sofas.simulate.Shape.RegularPolygon;
 import io.github.sofas.simulate.Shape.Union;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 
 /** Arranges the objects of each scene for a sensor of any size. */
 final class Scenes {
@@ -50,15 +55,54 @@ final class Scenes {
      */
     private static World oneShape(SimulationOptions options, Shape shape) {
         double speed = speed(options, PAPER_SPEED_PX_PER_S);
-        double vx = speed * cos(options.directionDeg());
-        double vy = speed * sin(options.directionDeg());
-        double insideS = insideS(options, shape, 0, 0, 0, vx, vy);
+        Heading heading = new Heading(options);
+        double insideS = alongS(options, shape, speed);
         if (insideS * speed < shape.radius() / 2) {
-            insideS = insideS(options, new Disc(0), 0, 0, 0, vx, vy);
+            insideS = alongS(options, new Disc(0), speed);
         }
         double durationS = duration(options, Math.min(insideS, Math.max(LONGEST_S, SHORTEST_TRAVEL_PX / speed)));
-        return new World(List.of(new MovingObject(1, shape,
-                through(options, 0, 0, vx, vy, 0, durationS), dark(options, 1))), durationS);
+        return new World(List.of(new MovingObject(1, shape, through(options, heading, 0, 0, speed, 0, durationS),
+                dark(options, 1))), durationS);
+    }
+
+    /**
+     * The bob alone: its rod is as light as the background. The swing fills the sensor's width unless the field of view
+     * or the peak speed says otherwise.
+     */
+    static World pendulum(SimulationOptions options) {
+        double bobRadius = 15 * options.scale();
+        double halfSwingM = Pendulum.LENGTH_M * StrictMath.sin(Pendulum.MAX_ANGLE_RAD);
+        double room = alongS(options, new Disc(bobRadius), 1) / 2;
+        double pxPerM = Math.max(room, bobRadius) / halfSwingM;
+        if (options.speedPxPerS() > 0) {
+            pxPerM = options.speedPxPerS() / Pendulum.peakSpeedMPerS();
+        } else if (options.fieldOfViewM() > 0) {
+            pxPerM = options.sensor().width() / options.fieldOfViewM();
+        }
+        double sagPx = Pendulum.LENGTH_M * (1 - StrictMath.cos(Pendulum.MAX_ANGLE_RAD)) * pxPerM;
+        Heading heading = new Heading(options);
+        Pendulum motion = new Pendulum(centreX(options) + heading.x(0, sagPx / 2),
+                centreY(options) + heading.y(0, sagPx / 2), pxPerM, heading.angleRad);
+        return new World(List.of(new MovingObject(1, new Disc(bobRadius), motion, dark(options, 1))),
+                duration(options, 2 * motion.periodS()));
+    }
+
+    static World shortBar(SimulationOptions options) {
+        return rotating(options, new Box(0, 0, 60 * options.scale(), 8 * options.scale()));
+    }
+
+    static World longBar(SimulationOptions options) {
+        double width = options.sensor().width();
+        double height = options.sensor().height();
+        double longEnough = 1.2 * Math.sqrt(width * width + height * height);
+        return rotating(options, new Box(0, 0, longEnough, 12 * options.scale()));
+    }
+
+    private static World rotating(SimulationOptions options, Shape bar) {
+        Rotation motion = new Rotation(centreX(options), centreY(options), new Heading(options).angleRad,
+                2 * Math.PI * options.turnsPerS());
+        return new World(List.of(new MovingObject(1, bar, motion, dark(options, 1))),
+                duration(options, 2 / Math.abs(options.turnsPerS())));
     }
 
     static World twoOpposite(SimulationOptions options) {
@@ -67,20 +111,141 @@ final class Scenes {
         Shape disc = new Disc(22 * k);
         double aside = Math.max(0.23 * Math.min(options.sensor().width(), options.sensor().height()), 27 * k);
         double speed = speed(options, PAPER_SPEED_PX_PER_S);
-        double cos = cos(options.directionDeg());
-        double sin = sin(options.directionDeg());
-        double back = -1.25 * speed;
-        double insideS = Math.min(
-                insideS(options, hexagon, 0, sin * aside, -cos * aside, speed * cos, speed * sin),
-                insideS(options, disc, 0, -sin * aside, cos * aside, back * cos, back * sin));
+        Heading heading = new Heading(options);
+        double insideS = Math.min(insideS(options, hexagon, 0, heading, -aside, speed),
+                insideS(options, disc, 0, heading, aside, -1.25 * speed));
         double durationS = duration(options, Math.max(insideS, SHORTEST_TRAVEL_PX / 2 / speed));
         return new World(List.of(
-                new MovingObject(1, hexagon,
-                        through(options, sin * aside, -cos * aside, speed * cos, speed * sin, 0, durationS),
+                new MovingObject(1, hexagon, through(options, heading, 0, -aside, speed, 0, durationS),
                         dark(options, 1)),
-                new MovingObject(2, disc,
-                        through(options, -sin * aside, cos * aside, back * cos, back * sin, 0, durationS),
+                new MovingObject(2, disc, through(options, heading, 0, aside, -1.25 * speed, 0, durationS),
                         dark(options, 1.2))), durationS);
+    }
+
+    /** Three directions 120 degrees apart; all are near the centre in the middle of the film. */
+    static World threeCrossing(SimulationOptions options) {
+        double k = options.scale();
+        Shape[] shapes = {new RegularPolygon(6, 22 * k), new Disc(19 * k), new RegularPolygon(4, 24 * k)};
+        double[] ratios = {1, 1.2, 0.85};
+        double[] ahead = {0, -5 * k, 5 * k};
+        double[] contrasts = {0.8, 1.4, -0.8};
+        double speed = speed(options, PAPER_SPEED_PX_PER_S);
+        double insideS = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < 3; i++) {
+            insideS = Math.min(insideS, insideS(options, shapes[i], 0,
+                    new Heading(options.directionDeg() + 120 * i), 0, ratios[i] * speed));
+        }
+        double durationS = duration(options, Math.max(insideS, SHORTEST_TRAVEL_PX / 2 / speed));
+        List<MovingObject> objects = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            Heading heading = new Heading(options.directionDeg() + 120 * i);
+            objects.add(new MovingObject(i + 1, shapes[i],
+                    through(options, heading, ahead[i], 0, ratios[i] * speed, 0, durationS),
+                    dark(options, contrasts[i])));
+        }
+        return new World(objects, durationS);
+    }
+
+    /**
+     * Speed and width fall with depth. In terms of the path E across the sensor and the nearest bar's speed v, it
+     * overtakes the others at 0.50, 0.60 and 0.69 E / v and leaves soon after 0.9; the second overtakes at 0.77 and
+     * 0.89, the third at 1.07; the film ends at 1.2. A pan that turns round goes 0.9 E and comes back.
+     */
+    static World fourBars(SimulationOptions options) {
+        double[] nearness = {1, 0.62, 0.4, 0.25};
+        double[] starts = {0.1, 0.29, 0.46, 0.62};
+        double[] contrasts = {1.2, 0.6, -0.6, 0.9};
+        double speed = speed(options, 120);
+        double across = alongS(options, new Disc(0), 1);
+        double height = 4.0 * Math.max(options.sensor().width(), options.sensor().height());
+        double durationS = duration(options, (options.turnsRound() ? 0.9 * Math.PI : 1.2) * across / speed);
+        Heading heading = new Heading(options);
+        List<MovingObject> objects = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            Shape bar = new Box(0, 0, 28 * nearness[i] * options.scale(), height);
+            double v = nearness[i] * speed;
+            double start = (starts[i] - 0.5) * across;
+            double startX = centreX(options) + heading.x(start, 0);
+            double startY = centreY(options) + heading.y(start, 0);
+            Motion motion = options.turnsRound()
+                    ? new ThereAndBack(startX, startY, heading.x(v, 0), heading.y(v, 0), durationS, heading.angleRad)
+                    : new Straight(startX, startY, 0, heading.x(v, 0), heading.y(v, 0), heading.angleRad);
+            objects.add(new MovingObject(i + 1, bar, motion, dark(options, contrasts[i])));
+        }
+        return new World(objects, durationS);
+    }
+
+    /** The first object is the one that is hidden, for (60 - 36) px at the two objects' relative speed. */
+    static World passingBehind(SimulationOptions options) {
+        double k = options.scale();
+        Shape disc = new Disc(18 * k);
+        Shape screen = new Box(0, 0, 60 * k, 100 * k);
+        double speed = speed(options, PAPER_SPEED_PX_PER_S);
+        Heading heading = new Heading(options);
+        double insideS = Math.min(insideS(options, disc, 0, heading, 0, speed),
+                Math.max(insideS(options, screen, heading.angleRad, heading, 0, -0.3 * speed),
+                        SHORTEST_TRAVEL_PX / speed));
+        double durationS = duration(options, Math.max(insideS, SHORTEST_TRAVEL_PX / 2 / speed));
+        return new World(List.of(
+                new MovingObject(2, screen,
+                        through(options, heading, 0, 0, -0.3 * speed, heading.angleRad, durationS),
+                        dark(options, 1)),
+                new MovingObject(1, disc, through(options, heading, 0, 0, speed, 0, durationS),
+                        dark(options, 0.6))), durationS);
+    }
+
+    static World threeWandering(SimulationOptions options) {
+        double k = options.scale();
+        double[] contrasts = {1, 1.3, 0.8};
+        double speed = speed(options, PAPER_SPEED_PX_PER_S);
+        double durationS = duration(options, 6);
+        double apart = 0.28 * Math.min(options.sensor().width(), options.sensor().height());
+        Random random = new Random(options.seed());
+        List<MovingObject> objects = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            double length = (36 - 4 * i) * k;
+            Heading heading = new Heading(options.directionDeg() + 120 * i);
+            double inset = BORDER_PX + length / 2;
+            Motion motion = new Wander(centreX(options) + heading.x(0, apart), centreY(options) + heading.y(0, apart),
+                    heading.angleRad, centreX(options), centreY(options), Math.max(1, centreX(options) - inset),
+                    Math.max(1, centreY(options) - inset), speed, durationS, new Random(random.nextLong()));
+            objects.add(new MovingObject(i + 1, new Capsule(length, (12 - i) * k), motion,
+                    dark(options, contrasts[i])));
+        }
+        return new World(objects, durationS);
+    }
+
+    /**
+     * Four rows, neighbours in opposite directions; in a row the speeds grow by a tenth from object to object, so that
+     * the first runs ahead of those behind it. The grid is fitted to the sensor at any direction.
+     */
+    static World sixteen(SimulationOptions options) {
+        double k = options.scale();
+        Heading heading = new Heading(options);
+        double halfAlong = 116;
+        double halfAcross = 76;
+        double cos = Math.abs(heading.x(1, 0));
+        double sin = Math.abs(heading.y(1, 0));
+        double fit = Math.min((centreX(options) - BORDER_PX) / (halfAlong * cos + halfAcross * sin),
+                (centreY(options) - BORDER_PX) / (halfAlong * sin + halfAcross * cos));
+        double radius = 10 * k * Math.min(1, fit);
+        Shape[] shapes = {new RegularPolygon(6, radius), new Disc(radius), new RegularPolygon(3, radius),
+            new Box(0, 0, 1.6 * radius, 1.6 * radius)};
+        double[] rowRatios = {1, -0.9, 1.1, -1};
+        double speed = speed(options, PAPER_SPEED_PX_PER_S);
+        double durationS = duration(options, Math.min(LONGEST_S, 60 * fit / speed));
+        List<MovingObject> objects = new ArrayList<>();
+        for (int row = 0; row < 4; row++) {
+            for (int place = 0; place < 4; place++) {
+                double v = rowRatios[row] * (1 + 0.1 * place) * speed;
+                double along = Math.signum(v) * (place - 1.5) * 46 * fit;
+                double across = (row - 1.5) * 44 * fit;
+                objects.add(new MovingObject(objects.size() + 1, shapes[(row + place) % 4],
+                        through(options, heading, along, across, v, 0, durationS),
+                        dark(options, place % 2 == 0 ? 1 : 1.2)));
+            }
+        }
+        return new World(objects, durationS);
     }
 
     static World noise(SimulationOptions options) {
@@ -100,19 +265,40 @@ final class Scenes {
         return StrictMath.exp(-options.contrast() * factor);
     }
 
-    private static double cos(double deg) {
-        return StrictMath.cos(Math.toRadians(deg));
+    /** The direction along which a scene moves, as the first of two axes that turn with it. */
+    private static final class Heading {
+        final double angleRad;
+        private final double cos;
+        private final double sin;
+
+        Heading(SimulationOptions options) {
+            this(options.directionDeg());
+        }
+
+        Heading(double deg) {
+            angleRad = Math.toRadians(deg);
+            cos = StrictMath.cos(angleRad);
+            sin = StrictMath.sin(angleRad);
+        }
+
+        /** How far to the right something is that lies along and across the direction. */
+        double x(double along, double across) {
+            return along * cos - across * sin;
+        }
+
+        double y(double along, double across) {
+            return along * sin + across * cos;
+        }
     }
 
-    private static double sin(double deg) {
-        return StrictMath.sin(Math.toRadians(deg));
-    }
-
-    /** A straight path that is, in the middle of the film, at the given place from the sensor's centre. */
-    private static Straight through(SimulationOptions options, double fromCentreX, double fromCentreY, double vx,
-                                    double vy, double angleRad, double durationS) {
-        return new Straight(centreX(options) + fromCentreX, centreY(options) + fromCentreY, durationS / 2, vx, vy,
-                angleRad);
+    /**
+     * A straight path that is, in the middle of the film, at the given place along and across the heading from the
+     * sensor's centre.
+     */
+    private static Straight through(SimulationOptions options, Heading heading, double along, double across,
+                                    double speedPxPerS, double angleRad, double durationS) {
+        return new Straight(centreX(options) + heading.x(along, across), centreY(options) + heading.y(along, across),
+                durationS / 2, heading.x(speedPxPerS, 0), heading.y(speedPxPerS, 0), angleRad);
     }
 
     private static double centreX(SimulationOptions options) {
@@ -123,19 +309,26 @@ final class Scenes {
         return (options.sensor().height() - 1) / 2.0;
     }
 
-    /** The longest time, symmetric about its middle, that the path stays inside the sensor; 0 where it is never. */
-    private static double insideS(SimulationOptions options, Shape shape, double angleRad, double fromCentreX,
-                                  double fromCentreY, double vx, double vy) {
-        double roomX = centreX(options) - BORDER_PX - shape.reachRight(angleRad) - Math.abs(fromCentreX);
-        double roomY = centreY(options) - BORDER_PX - shape.reachDown(angleRad) - Math.abs(fromCentreY);
-        double seconds = Double.POSITIVE_INFINITY;
-        // A direction of 90 degrees has a rest of 1e-15 of its speed along the other axis.
-        if (Math.abs(vx) > 1e-9) {
-            seconds = 2 * roomX / Math.abs(vx);
-        }
-        if (Math.abs(vy) > 1e-9) {
-            seconds = Math.min(seconds, 2 * roomY / Math.abs(vy));
-        }
-        return Math.max(0, seconds);
+    /** The longest time that an upright shape moving through the centre stays inside the sensor. */
+    private static double alongS(SimulationOptions options, Shape shape, double speedPxPerS) {
+        return insideS(options, shape, 0, new Heading(options), 0, speedPxPerS);
+    }
+
+    /**
+     * The longest time, symmetric about its middle, that a path stays inside the sensor; 0 where it is never.
+     *
+     * @param angleRad angle by which the shape is turned
+     * @param across how far beside the sensor's centre the path passes
+     */
+    private static double insideS(SimulationOptions options, Shape shape, double angleRad, Heading heading,
+                                  double across, double speedPxPerS) {
+        double roomX = centreX(options) - BORDER_PX - shape.reachRight(angleRad) - Math.abs(heading.x(0, across));
+        double roomY = centreY(options) - BORDER_PX - shape.reachDown(angleRad) - Math.abs(heading.y(0, across));
+        double vx = Math.abs(heading.x(speedPxPerS, 0));
+        double vy = Math.abs(heading.y(speedPxPerS, 0));
+        // A direction of 90 degrees has a rest of 1e-16 of its speed along the other axis.
+        double negligible = 1e-9 * Math.abs(speedPxPerS);
+        double seconds = vx > negligible ? 2 * roomX / vx : Double.POSITIVE_INFINITY;
+        return Math.max(0, vy > negligible ? Math.min(seconds, 2 * roomY / vy) : seconds);
     }
 }
