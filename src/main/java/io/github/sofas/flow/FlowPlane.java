@@ -58,7 +58,7 @@ final class FlowPlane {
     FlowPlane(int width, int height, SofasParameters p, MetricFit fit) {
         this.p = p;
         this.fit = fit;
-        n = p.projections();
+        n = p.flowProjections();
         int cw = width / 2 + (int) p.flowTravelPx() / 2 + 3;
         int ch = height / 2 + (int) p.flowTravelPx() / 2 + 3;
         dimX = Integer.highestOneBit(cw - 1) << 1;
@@ -296,6 +296,7 @@ final class FlowPlane {
                 nextSearch = total;
             } else {
                 refusedUntil[best] = total + Math.max(64, count[best / n] / 4);
+                nextSearch = total + Math.max(128, count[best / n] / 8);
             }
         }
     }
@@ -385,7 +386,7 @@ final class FlowPlane {
         }
         long ref = (first + last) >> 1;
         fit.clear();
-        int want = Math.min(m, Math.min(fit.capacity(), p.sampleEvents()));
+        int want = Math.min(m, Math.min(fit.capacity(), 4 * p.sampleEvents()));
         long step = ((long) m << 16) / want;
         for (int a = 0; a < want; a++) {
             int i = which[(int) (a * step >> 16)] & mask;
@@ -393,26 +394,58 @@ final class FlowPlane {
         }
         double vx = vxQ[k] / 256.0 * 1e6 / (1 << 20);
         double vy = vyQ[k] / 256.0 * 1e6 / (1 << 20);
-        double h = 2 / (window / 2);
-        for (int c = 0; c < 10; c++) {
-            fit.fit(vx, vy, h, p.flatShare());
-            vx = fit.vx;
-            vy = fit.vy;
-            if (fit.stepPx < 1) {
-                h *= 0.6;
+        climb(vx, vy, window);
+        double bestX = fit.vx;
+        double bestY = fit.vy;
+        double bestMetric = fit.metric;
+        // a straight edge slides along itself at any speed: the slowest of what is about as good is right
+        double l1 = larger(fit.lxx, fit.lxy, fit.lyy);
+        double angle = 0.5 * Math.atan2(2 * fit.lxy, fit.lxx - fit.lyy);
+        double ex1 = Math.cos(angle);
+        double ey1 = Math.sin(angle);
+        double across = bestX * ex1 + bestY * ey1;
+        double along = bestY * ex1 - bestX * ey1;
+        if (Math.abs(along) > 0.1 * Math.abs(across)) {
+            climb(across * ex1, across * ey1, window);
+            if (fit.metric < (1 - p.slowestWithin()) * bestMetric
+                    || Math.hypot(fit.vx, fit.vy) > Math.hypot(bestX, bestY)) {
+                climb(bestX, bestY, window);
             }
-            if (h * window / 2 < 0.5) {
-                break;
-            }
+            l1 = larger(fit.lxx, fit.lxy, fit.lyy);
         }
-        double travel = Math.hypot(vx, vy) * window;
+        // travel counts where it is seen: in the directions that would lose by standing still
+        double seen = fit.lxx * fit.vx * fit.vx + 2 * fit.lxy * fit.vx * fit.vy + fit.lyy * fit.vy * fit.vy;
+        double travel = Math.sqrt(Math.max(0, seen / l1)) * window;
         double density = fit.metric / want * m / want;
-        if (travel < 0.6 * p.flowTravelPx() || density < p.evidence()) {
+        if (!(travel > 0.6 * p.flowTravelPx()) || density < p.evidence()) {
             return false;
         }
         found.structure(this, which, m, fit);
         take(which, m);
         return true;
+    }
+
+    /** Climbs to the nearest top of the metric, from coarse to fine. */
+    private void climb(double vx0, double vy0, double window) {
+        double vx = vx0;
+        double vy = vy0;
+        double px = 2 / window;
+        fit.frame(2 * px);
+        for (int c = 0; c < 8; c++) {
+            fit.fit(vx, vy, p.flatShare());
+            vx = fit.vx;
+            vy = fit.vy;
+            if (c >= 2 && fit.step < 0.3) {
+                break;
+            }
+            fit.frame(fit.metric, fit.lxx, fit.lxy, fit.lyy, p.neighbourLoss(), p.minStepPx() * px,
+                p.maxStepPx() * px);
+        }
+    }
+
+    private static double larger(double xx, double xy, double yy) {
+        double d = (xx - yy) / 2;
+        return (xx + yy) / 2 + Math.sqrt(d * d + xy * xy);
     }
 
     /** Position in 1/16 px with a fixed pseudo-random dither of half a pixel either way. */

@@ -1,7 +1,5 @@
 package io.github.sofas.flow;
 
-import java.util.Arrays;
-
 /**
  * Finds the velocity under which a set of events is sharpest: the metric of 3 x 3 projections around a velocity, a
  * quadratic through the nine values, and one step to its top.
@@ -26,15 +24,22 @@ final class MetricFit {
     // result of the last fit
     double vx;
     double vy;
-    /** Metric at the centre, in votes squared. */
+    /** Greatest of the nine metrics, in votes squared. */
     double metric;
-    /** Loss of metric per (px/s)^2: the negative Hessian / 2, symmetric. */
+    /** Loss of metric per (px/s)^2, symmetric: what is known of the velocity. */
     double lxx;
     double lxy;
     double lyy;
-    /** Whether the centre was the best of the nine. */
-    boolean centreBest;
-    double stepPx;
+    /** Length of the step in distances of projections. */
+    double step;
+    /** Step in px/s. */
+    double dx;
+    double dy;
+    // frame of the projections: direction of the first axis, distances along both in px/s
+    double frameX = 1;
+    double frameY;
+    double h1;
+    double h2;
 
     MetricFit(int sensorWidth, int sensorHeight, int capacity) {
         x16 = new int[capacity];
@@ -92,8 +97,8 @@ final class MetricFit {
             int b = grid[c + 1];
             int d = grid[c + w];
             int e = grid[c + w + 1];
-            sum += (long) w00 * (2 * a + w00) + (long) w10 * (2 * b + w10)
-                + (long) w01 * (2 * d + w01) + (long) w11 * (2 * e + w11);
+            // 2 w f without the w^2 of the metric's step: what an event adds by meeting others, not by itself
+            sum += (long) w00 * a + (long) w10 * b + (long) w01 * d + (long) w11 * e;
             grid[c] = a + w00;
             grid[c + 1] = b + w10;
             grid[c + w] = d + w01;
@@ -107,75 +112,92 @@ final class MetricFit {
             grid[c + w] = 0;
             grid[c + w + 1] = 0;
         }
-        return sum / 65536.0;
+        return sum / 32768.0;
+    }
+
+    /** Sets an upright frame with equal distances. */
+    void frame(double h) {
+        frameX = 1;
+        frameY = 0;
+        h1 = h;
+        h2 = h;
     }
 
     /**
-     * One fit around (vx0, vy0).
-     *
-     * @param h distance of neighbouring projections in px/s
-     * @param flat a direction whose curvature is below this share of the metric per h^2 takes no step
+     * Turns the frame to the axes of what is known, and spaces the projections so that each neighbour loses about the
+     * same share of the metric.
      */
-    void fit(double vx0, double vy0, double h, double flat) {
+    void frame(double metric0, double mxx, double mxy, double myy, double share, double least, double most) {
+        double mean = (mxx + myy) / 2;
+        double dif = (mxx - myy) / 2;
+        double root = Math.sqrt(dif * dif + mxy * mxy);
+        double angle = 0.5 * Math.atan2(2 * mxy, mxx - myy);
+        frameX = Math.cos(angle);
+        frameY = Math.sin(angle);
+        h1 = spacing(metric0 * share, mean + root, least, most);
+        h2 = spacing(metric0 * share, mean - root, least, most);
+    }
+
+    private static double spacing(double loss, double curvature, double least, double most) {
+        return curvature * most * most <= loss ? most : Math.max(least, Math.sqrt(loss / curvature));
+    }
+
+    /**
+     * One fit around (vx0, vy0) with the projections of the frame.
+     *
+     * @param flat a direction that loses less than this share of the metric at its neighbours takes no step
+     */
+    void fit(double vx0, double vy0, double flat) {
         for (int j = 0; j < 3; j++) {
             for (int i = 0; i < 3; i++) {
-                m[j * 3 + i] = metricAt(vx0 + (i - 1) * h, vy0 + (j - 1) * h);
+                double a = (i - 1) * h1;
+                double b = (j - 1) * h2;
+                m[j * 3 + i] = metricAt(vx0 + a * frameX - b * frameY, vy0 + a * frameY + b * frameX);
             }
         }
-        double centre = m[4];
-        double gx = (m[2] + m[5] + m[8] - m[0] - m[3] - m[6]) / 6;
-        double gy = (m[6] + m[7] + m[8] - m[0] - m[1] - m[2]) / 6;
-        double hxx = (m[0] + m[2] + m[3] + m[5] + m[6] + m[8] - 2 * (m[1] + m[4] + m[7])) / 3;
-        double hyy = (m[0] + m[1] + m[2] + m[6] + m[7] + m[8] - 2 * (m[3] + m[4] + m[5])) / 3;
-        double hxy = (m[0] + m[8] - m[2] - m[6]) / 4;
-        int best = 4;
-        for (int k = 0; k < 9; k++) {
-            if (m[k] > m[best]) {
-                best = k;
-            }
+        double ga = (m[2] + m[5] + m[8] - m[0] - m[3] - m[6]) / 6;
+        double gb = (m[6] + m[7] + m[8] - m[0] - m[1] - m[2]) / 6;
+        double haa = (m[0] + m[2] + m[3] + m[5] + m[6] + m[8] - 2 * (m[1] + m[4] + m[7])) / 3;
+        double hbb = (m[0] + m[1] + m[2] + m[6] + m[7] + m[8] - 2 * (m[3] + m[4] + m[5])) / 3;
+        double hab = (m[0] + m[8] - m[2] - m[6]) / 4;
+        metric = 0;
+        for (double v : m) {
+            metric = Math.max(metric, v);
         }
-        centreBest = best == 4;
-        metric = m[best];
-        // eigenvectors of the Hessian; a step along each that is curved enough
-        double mean = (hxx + hyy) / 2;
-        double dif = (hxx - hyy) / 2;
-        double root = Math.sqrt(dif * dif + hxy * hxy);
-        double l1 = mean - root; // most negative
-        double l2 = mean + root;
-        double angle = 0.5 * Math.atan2(-2 * hxy, -(hxx - hyy));
-        double e1x = Math.cos(angle);
-        double e1y = Math.sin(angle);
-        double stepX = 0;
-        double stepY = 0;
-        double g1 = gx * e1x + gy * e1y;
-        double g2 = -gx * e1y + gy * e1x;
-        double floor = -flat * centre;
-        double d1 = step(l1, g1, floor);
-        double d2 = step(l2, g2, Math.min(floor, 0.05 * l1));
-        stepX = d1 * e1x - d2 * e1y;
-        stepY = d1 * e1y + d2 * e1x;
-        stepPx = Math.sqrt(stepX * stepX + stepY * stepY);
-        vx = vx0 + stepX * h;
-        vy = vy0 + stepY * h;
-        double norm = -0.5 / (h * h);
-        // only curvature that falls away counts as knowledge
-        double c1 = Math.min(l1, 0) * norm;
-        double c2 = Math.min(l2, 0) * norm;
-        lxx = c1 * e1x * e1x + c2 * e1y * e1y;
-        lyy = c1 * e1y * e1y + c2 * e1x * e1x;
-        lxy = (c1 - c2) * e1x * e1y;
+        // eigenvectors of the Hessian in the frame; a step along each that is curved enough
+        double mean = (haa + hbb) / 2;
+        double dif = (haa - hbb) / 2;
+        double root = Math.sqrt(dif * dif + hab * hab);
+        double angle = 0.5 * Math.atan2(-2 * hab, -(haa - hbb));
+        double ca = Math.cos(angle);
+        double sa = Math.sin(angle);
+        double floor = -2 * flat * metric;
+        double s1 = step(mean - root, ga * ca + gb * sa, floor);
+        double s2 = step(mean + root, gb * ca - ga * sa, floor);
+        double a = (s1 * ca - s2 * sa) * h1;
+        double b = (s1 * sa + s2 * ca) * h2;
+        step = Math.sqrt(s1 * s1 + s2 * s2);
+        dx = a * frameX - b * frameY;
+        dy = a * frameY + b * frameX;
+        vx = vx0 + dx;
+        vy = vy0 + dy;
+        // only curvature that falls away is knowledge
+        double c1 = -Math.min(mean - root, 0) / 2;
+        double c2 = -Math.min(mean + root, 0) / 2;
+        double laa = (c1 * ca * ca + c2 * sa * sa) / (h1 * h1);
+        double lbb = (c1 * sa * sa + c2 * ca * ca) / (h2 * h2);
+        double lab = (c1 - c2) * sa * ca / (h1 * h2);
+        lxx = laa * frameX * frameX - 2 * lab * frameX * frameY + lbb * frameY * frameY;
+        lyy = laa * frameY * frameY + 2 * lab * frameX * frameY + lbb * frameX * frameX;
+        lxy = (laa - lbb) * frameX * frameY + lab * (frameX * frameX - frameY * frameY);
     }
 
     private static double step(double curvature, double gradient, double floor) {
         if (curvature > floor) {
-            // not a top: walk uphill only where the slope is clear
-            return Math.abs(gradient) > -2 * floor ? Math.signum(gradient) : 0;
+            // not a top: uphill only where the slope is clear
+            return Math.abs(gradient) > -floor ? Math.signum(gradient) : 0;
         }
         return Math.max(-1.5, Math.min(1.5, -gradient / curvature));
     }
 
-    void reset() {
-        Arrays.fill(f, 0);
-        n = 0;
-    }
 }

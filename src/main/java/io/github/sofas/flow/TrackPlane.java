@@ -37,7 +37,9 @@ final class TrackPlane {
     int vyQ;
     double meanSupport;
     double lifetimePx;
-    double hPx;
+    double widen;
+    /** Metric an event of all live events. */
+    double density;
     long lifetimeUs;
     int sinceFit;
     long lastFitUs;
@@ -91,7 +93,8 @@ final class TrackPlane {
         vy = v0y;
         ax = 0;
         ay = 0;
-        hPx = 1;
+        widen = 1;
+        density = 0;
         lifetimePx = p.lifetimePx();
         steady = 0;
         sinceFit = 0;
@@ -192,6 +195,11 @@ final class TrackPlane {
         }
     }
 
+    /** Longer side of the box of the contour, in px. */
+    int extent() {
+        return Math.max(maxX - minX, maxY - minY) - 2;
+    }
+
     int live() {
         return head - tail;
     }
@@ -240,13 +248,20 @@ final class TrackPlane {
         }
     }
 
+    /**
+     * How many live events a measurement needs: thinning them thins their meetings by the square, so that many events
+     * that meet seldom are taken whole.
+     */
+    int sample() {
+        int n = live();
+        int least = p.sampleEvents();
+        return n <= least ? n : (int) Math.max(least, Math.min(n, n * p.sampleDensity() / Math.max(density, 1e-3)));
+    }
+
     void loadSample(MetricFit fit, long ref) {
         fit.clear();
         int n = live();
-        int want = Math.min(n, p.sampleEvents());
-        if (want == 0) {
-            return;
-        }
+        int want = sample();
         // evenly spread over the ring
         long step = ((long) n << 16) / want;
         long at = 0;
@@ -274,22 +289,26 @@ final class TrackPlane {
                 double back = (now - ref) * 1e-6;
                 double midX = vx - ax * back;
                 double midY = vy - ay * back;
-                double h = hPx / (window / 2);
-                fit.fit(midX, midY, h, p.flatShare());
+                double px = 2 / window;
+                if (fits == 0) {
+                    fit.frame(px);
+                } else {
+                    fit.frame(metric, lxx, lxy, lyy, p.neighbourLoss(), p.minStepPx() * px, p.maxStepPx() * px);
+                    fit.h1 *= widen;
+                    fit.h2 *= widen;
+                }
+                fit.fit(midX, midY, p.flatShare());
+                // in a thinned sample events meet by so much less
+                density = fit.metric / fit.n * n / fit.n;
                 metric = fit.metric;
                 lxx = fit.lxx;
                 lxy = fit.lxy;
                 lyy = fit.lyy;
-                double dx = fit.vx - midX;
-                double dy = fit.vy - midY;
-                vx += dx;
-                vy += dy;
-                double moved = Math.hypot(dx, dy) * window / 2;
-                if (fit.stepPx < 0.5) {
-                    hPx = Math.max(p.minStepPx(), hPx * 0.7);
-                } else if (fit.stepPx > 1) {
-                    hPx = Math.min(2, hPx * 1.6);
-                }
+                vx += fit.dx;
+                vy += fit.dy;
+                widen = fit.step > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
+                double moved = Math.sqrt(Math.max(0, (lxx * fit.dx * fit.dx + 2 * lxy * fit.dx * fit.dy
+                    + lyy * fit.dy * fit.dy) / Math.max(lxx, lyy))) / px;
                 if (moved < p.steadyPx()) {
                     lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
                 } else if (moved > 3 * p.steadyPx()) {

@@ -43,7 +43,7 @@ final class TrackPlaneStack implements FlowPlane.Found {
         a.add(FlowPlane.fine(x, y, t, 0), FlowPlane.fine(x, y, t, 16), t, s);
         a.events++;
         a.sinceFit++;
-        if (a.sinceFit >= Math.max(40, Math.min(2048, a.live() / 12))) {
+        if (a.sinceFit >= Math.max(40, Math.max(a.sample() / 4, a.live() / 12))) {
             a.recentre(fit, t);
         }
     }
@@ -74,7 +74,7 @@ final class TrackPlaneStack implements FlowPlane.Found {
     }
 
     private boolean same(TrackPlane a, TrackPlane b, long t) {
-        int gap = 4;
+        double gap = Math.max(4, p.mergeGapShare() * Math.max(a.extent(), b.extent()));
         double ta = (t - a.t0) * 1e-6;
         double tb = (t - b.t0) * 1e-6;
         double ax = a.vx * ta;

@@ -1,0 +1,25 @@
+package io.github.sofas.flow;
+
+import java.util.List;
+
+/** One way of labelling events: as published, or refined. Called with events on the sensor whose time never falls. */
+interface Method {
+    /**
+     * Takes an event.
+     *
+     * @return id of its segment, or 0 where it has no flow
+     */
+    int label(int x, int y, long timeUs, int polarity);
+
+    /** Velocity of the event labelled last, in px/s; only after an id above 0. */
+    float vxPxPerS();
+
+    /** Velocity of the event labelled last, in px/s, positive down. */
+    float vyPxPerS();
+
+    /** The living segments. */
+    List<Segment> segments();
+
+    /** Forgets all. */
+    void reset();
+}

@@ -1,0 +1,344 @@
+package io.github.sofas.flow;
+
+import java.util.Arrays;
+
+/**
+ * The paper's track plane (section Track Plane): 3 x 3 projections of the live events, neighbours h degrees apart. The
+ * occupied cells of the central one are the contour; an event on it belongs to the plane. The first projection whose
+ * hits pass a share of its cells becomes the centre.
+ */
+final class PaperTrackPlane {
+    private static final int SIDE = 3;
+    private static final int CENTRE = SIDE * SIDE / 2;
+    /** Room on the torus for the travel of live events and for the neighbours' lean. */
+    private static final int MARGIN = 16;
+
+    private final SofasParameters p;
+    private final int maskX;
+    private final int maskY;
+    private final int shift;
+    /** Live events a cell, one accumulator a projection. */
+    private final short[][] accumulator;
+    private final int[] cells = new int[SIDE * SIDE];
+    private final int[] hits = new int[SIDE * SIDE];
+    private final int[] fixedVx = new int[SIDE * SIDE];
+    private final int[] fixedVy = new int[SIDE * SIDE];
+    private final int[] cell = new int[SIDE * SIDE];
+    /** What events that missed the contour have raised. */
+    private final short[] raised;
+    private int[] raisedCells = new int[64];
+    private int raisedCount;
+
+    private long[] time = new long[256];
+    private short[] x = new short[256];
+    private short[] y = new short[256];
+    private int head;
+    private int tail;
+
+    private double angleX;
+    private double angleY;
+    private double h;
+    /** Where the best projection lies from the centre, in distances of projections. */
+    private double bestX;
+    private double bestY;
+    private long referenceUs;
+    private long lifetimeUs;
+    private long checkedUs;
+    private int sinceCheck;
+
+    int id;
+    long firstUs;
+    long lastUs;
+    long events;
+    float vxPxPerS;
+    float vyPxPerS;
+    // box of the live events on the sensor
+    int minX;
+    int minY;
+    int maxX;
+    int maxY;
+
+    PaperTrackPlane(int width, int height, SofasParameters p) {
+        this.p = p;
+        int sizeX = Integer.highestOneBit(width + MARGIN - 1) << 1;
+        int sizeY = Integer.highestOneBit(height + MARGIN - 1) << 1;
+        maskX = sizeX - 1;
+        maskY = sizeY - 1;
+        shift = Integer.numberOfTrailingZeros(sizeX);
+        accumulator = new short[SIDE * SIDE][sizeX * sizeY];
+        raised = new short[sizeX * sizeY];
+    }
+
+    /** Begins with the events and the velocity of a new structure. */
+    void start(int newId, PaperRefinement structure) {
+        id = newId;
+        events = 0;
+        sinceCheck = 0;
+        for (int i = 0; i < structure.loaded(); i++) {
+            if (structure.contains(i)) {
+                remember(structure.x(i), structure.y(i), structure.timeUs(i));
+            }
+        }
+        firstUs = time[head - 1];
+        lastUs = firstUs;
+        checkedUs = firstUs;
+        // the spacing of the last refining cycle
+        h = p.rangeDeg() / Math.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
+        centre(structure.angleX(), structure.angleY());
+    }
+
+    /**
+     * Offers an event.
+     *
+     * @return whether it belongs to this plane
+     */
+    boolean offer(int eventX, int eventY, long timeUs) {
+        expire(timeUs);
+        locate(eventX, eventY, timeUs);
+        for (int k = 0; k < hits.length; k++) {
+            if (accumulator[k][cell[k]] > 0) {
+                hits[k]++;
+            }
+        }
+        int c = cell[CENTRE];
+        boolean belongs = accumulator[CENTRE][c] > 0 || raise(c);
+        if (belongs) {
+            remember(eventX, eventY, timeUs);
+            for (int k = 0; k < hits.length; k++) {
+                if (accumulator[k][cell[k]]++ == 0) {
+                    cells[k]++;
+                }
+            }
+            events++;
+            sinceCheck++;
+            lastUs = timeUs;
+        }
+        if (someoneIsBest()) {
+            recentre();
+        }
+        return belongs;
+    }
+
+    private void locate(int eventX, int eventY, long timeUs) {
+        long dt = timeUs - referenceUs;
+        for (int k = 0; k < cell.length; k++) {
+            int cx = eventX - Projection.travelled(fixedVx[k], dt) & maskX;
+            int cy = eventY - Projection.travelled(fixedVy[k], dt) & maskY;
+            cell[k] = cy << shift | cx;
+        }
+    }
+
+    /** Raises a cell that was missed; past the threshold it is contour. */
+    private boolean raise(int c) {
+        if (raised[c] == 0) {
+            if (raisedCount == raisedCells.length) {
+                raisedCells = Arrays.copyOf(raisedCells, 2 * raisedCount);
+            }
+            raisedCells[raisedCount++] = c;
+        }
+        return ++raised[c] > p.contourThreshold();
+    }
+
+    /**
+     * Whether a projection's hits pass the share of its cells. Of several that pass at one event the one with the
+     * greatest share is best; of equal ones the centre, else their mean: taking the first would lean all velocities
+     * one way.
+     */
+    private boolean someoneIsBest() {
+        int best = -1;
+        for (int k = 0; k < hits.length; k++) {
+            if (hits[k] > p.hitShare() * cells[k]
+                    && (best < 0 || (long) hits[k] * cells[best] > (long) hits[best] * cells[k])) {
+                best = k;
+            }
+        }
+        if (best < 0) {
+            return false;
+        }
+        bestX = 0;
+        bestY = 0;
+        int equals = 0;
+        for (int k = 0; k < hits.length; k++) {
+            if ((long) hits[k] * cells[best] == (long) hits[best] * cells[k]) {
+                bestX += k % SIDE - 1;
+                bestY += k / SIDE - 1;
+                equals++;
+                if (k == CENTRE) {
+                    bestX = 0;
+                    bestY = 0;
+                    return true;
+                }
+            }
+        }
+        bestX /= equals;
+        bestY /= equals;
+        return true;
+    }
+
+    private void recentre() {
+        double step = h;
+        h = bestX == 0 && bestY == 0 ? Math.max(p.minPerturbationDeg(), h / 2)
+            : Math.min(p.maxPerturbationDeg(), h * 2);
+        centre(angleX + bestX * step, angleY + bestY * step);
+    }
+
+    /** Sets the velocity and projects the live events anew, seen from the newest one's time. */
+    private void centre(double newAngleX, double newAngleY) {
+        empty();
+        double limit = 89;
+        angleX = Math.max(-limit, Math.min(limit, newAngleX));
+        angleY = Math.max(-limit, Math.min(limit, newAngleY));
+        for (int k = 0; k < cell.length; k++) {
+            fixedVx[k] = Projection.fixed(p.velocityAt(angleX + (k % SIDE - 1) * h));
+            fixedVy[k] = Projection.fixed(p.velocityAt(angleY + (k / SIDE - 1) * h));
+        }
+        double vx = p.velocityAt(angleX);
+        double vy = p.velocityAt(angleY);
+        vxPxPerS = (float) vx;
+        vyPxPerS = (float) vy;
+        lifetimeUs = (long) Math.min(p.maxLifetimeUs(), p.lifetimePx() / Math.max(Math.hypot(vx, vy), 1e-6) * 1e6);
+        referenceUs = time[head - 1];
+        while (tail != head && time[tail] < referenceUs - lifetimeUs) {
+            tail++;
+        }
+        minX = Integer.MAX_VALUE;
+        minY = Integer.MAX_VALUE;
+        maxX = 0;
+        maxY = 0;
+        for (int i = tail; i < head; i++) {
+            locate(x[i], y[i], time[i]);
+            for (int k = 0; k < cell.length; k++) {
+                if (accumulator[k][cell[k]]++ == 0) {
+                    cells[k]++;
+                }
+            }
+            minX = Math.min(minX, x[i]);
+            minY = Math.min(minY, y[i]);
+            maxX = Math.max(maxX, x[i]);
+            maxY = Math.max(maxY, y[i]);
+        }
+    }
+
+    private void empty() {
+        for (int i = tail; i < head; i++) {
+            locate(x[i], y[i], time[i]);
+            for (int k = 0; k < cell.length; k++) {
+                accumulator[k][cell[k]] = 0;
+            }
+        }
+        for (int i = 0; i < raisedCount; i++) {
+            raised[raisedCells[i]] = 0;
+        }
+        raisedCount = 0;
+        Arrays.fill(cells, 0);
+        Arrays.fill(hits, 0);
+    }
+
+    private void expire(long nowUs) {
+        long oldestUs = nowUs - lifetimeUs;
+        while (tail != head && time[tail] < oldestUs) {
+            locate(x[tail], y[tail], time[tail]);
+            for (int k = 0; k < cell.length; k++) {
+                if (--accumulator[k][cell[k]] == 0) {
+                    cells[k]--;
+                }
+            }
+            tail++;
+        }
+    }
+
+    private void remember(int eventX, int eventY, long timeUs) {
+        if (head == time.length) {
+            int live = head - tail;
+            int capacity = live > time.length / 2 ? time.length * 2 : time.length;
+            long[] newTime = capacity == time.length ? time : new long[capacity];
+            short[] newX = capacity == time.length ? x : new short[capacity];
+            short[] newY = capacity == time.length ? y : new short[capacity];
+            System.arraycopy(time, tail, newTime, 0, live);
+            System.arraycopy(x, tail, newX, 0, live);
+            System.arraycopy(y, tail, newY, 0, live);
+            time = newTime;
+            x = newX;
+            y = newY;
+            tail = 0;
+            head = live;
+        }
+        time[head] = timeUs;
+        x[head] = (short) eventX;
+        y[head] = (short) eventY;
+        head++;
+    }
+
+    /**
+     * Whether the plane got fewer events than expected since the last check: an event for each cell of the contour in
+     * the time that it takes to cross the lifetime's pixels.
+     */
+    boolean isStarved(long nowUs) {
+        expire(nowUs);
+        if (head == tail) {
+            return true;
+        }
+        if (nowUs - checkedUs < lifetimeUs) {
+            return false;
+        }
+        boolean starved = sinceCheck < p.minShare() * cells[CENTRE];
+        checkedUs = nowUs;
+        sinceCheck = 0;
+        return starved;
+    }
+
+    /** Whether another plane describes the same structure: similar velocity and touching boxes. */
+    boolean describesSameAs(PaperTrackPlane other) {
+        double dvx = vxPxPerS - other.vxPxPerS;
+        double dvy = vyPxPerS - other.vyPxPerS;
+        double speed = Math.max(Math.hypot(vxPxPerS, vyPxPerS), Math.hypot(other.vxPxPerS, other.vyPxPerS));
+        return Math.hypot(dvx, dvy) <= p.mergeVelocity() * speed
+            && minX <= other.maxX + 1 && other.minX <= maxX + 1 && minY <= other.maxY + 1 && other.minY <= maxY + 1;
+    }
+
+    /** Takes over the events of another plane. */
+    void merge(PaperTrackPlane other) {
+        empty();
+        int mine = head - tail;
+        int theirs = other.head - other.tail;
+        long[] newTime = new long[Math.max(time.length, 2 * (mine + theirs))];
+        short[] newX = new short[newTime.length];
+        short[] newY = new short[newTime.length];
+        int a = tail;
+        int b = other.tail;
+        for (int i = 0; i < mine + theirs; i++) {
+            boolean own = b == other.head || a != head && time[a] <= other.time[b];
+            newTime[i] = own ? time[a] : other.time[b];
+            newX[i] = own ? x[a] : other.x[b];
+            newY[i] = own ? y[a++] : other.y[b++];
+        }
+        time = newTime;
+        x = newX;
+        y = newY;
+        tail = 0;
+        head = mine + theirs;
+        events += other.events;
+        sinceCheck += other.sinceCheck;
+        lastUs = Math.max(lastUs, other.lastUs);
+        if (head > 0) {
+            centre(angleX, angleY);
+        }
+    }
+
+    /** Lets all events go, so that the plane can serve another structure. */
+    void clear() {
+        empty();
+        head = 0;
+        tail = 0;
+    }
+
+    /** Live events. */
+    int live() {
+        return head - tail;
+    }
+
+    /** Occupied cells of a projection, for tests and pictures. */
+    int cells(int i, int j) {
+        return cells[j * SIDE + i];
+    }
+}
