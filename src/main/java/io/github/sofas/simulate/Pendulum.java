@@ -7,8 +7,8 @@ package io.github.sofas.simulate;
  * k = sin(thetaMax / 2) and w = sqrt(g / L) its solution from rest at -thetaMax is sin(theta / 2) = k sn(w t - K) and
  * theta' = 2 k w cn(w t - K), where sn and cn are Jacobi's elliptic functions of modulus k and K is their quarter
  * period. The greatest speed, 2 k w L, is the paper's sqrt(2 g L (1 - cos thetaMax)); the period, 4 K / w, is 1.0 %
- * longer than the paper's 2 pi sqrt(L / g) at 23 degrees. The elliptic functions are computed by the arithmetic-geometric
- * mean (Abramowitz and Stegun, 16.4 and 17.6).
+ * longer than the paper's 2 pi sqrt(L / g) at 23 degrees. The elliptic functions are computed by the
+ * arithmetic-geometric mean (Abramowitz and Stegun, 16.4 and 17.6).
  */
 final class Pendulum implements Motion {
     /** The paper's length, greatest angle and gravity. */

@@ -20,7 +20,7 @@ final class PixelArray {
     private final double[] logLight;
     /** Log intensity that the pixel compares with. */
     private final double[] remembered;
-    /** When the pixel sees again after an event and remembers the light of that moment; {@link #NOT_BLIND} if it does. */
+    /** When the pixel sees again after an event and remembers the light; {@link #NOT_BLIND} where it sees now. */
     private final double[] blindUntilUs;
 
     PixelArray(int pixels, DvsModel model, Random random) {

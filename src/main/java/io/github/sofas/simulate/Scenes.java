@@ -260,7 +260,7 @@ final class Scenes {
         return options.durationUs() == 0 ? ownS : options.durationUs() * 1e-6;
     }
 
-    /** Light of an object whose contrast to the background is the option's times a factor; negative for a bright one. */
+    /** Light of an object whose contrast is the option's times a factor; a negative factor makes it bright. */
     private static double dark(SimulationOptions options, double factor) {
         return StrictMath.exp(-options.contrast() * factor);
     }

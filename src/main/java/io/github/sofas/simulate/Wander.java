@@ -6,8 +6,8 @@ import java.util.Random;
  * A smooth random path like that of a creature in a box: it moves along its heading or backwards, speeds up and slows
  * down, turns, sometimes reverses, and steers back before it leaves the box.
  *
- * <p>Speed and rate of turning follow random targets through two low passes; their integral is kept every 5 ms. Between,
- * place and angle are cubic, with the velocity as their exact derivative, so that truth and picture agree.
+ * <p>Speed and rate of turning follow random targets through two low passes; their integral is kept every 5 ms.
+ * Between, place and angle are cubic, with the velocity as their exact derivative, so that truth and picture agree.
  */
 final class Wander implements Motion {
     private static final double KNOT_S = 0.005;

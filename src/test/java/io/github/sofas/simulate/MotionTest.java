@@ -1,0 +1,116 @@
+package io.github.sofas.simulate;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.Test;
+
+public class MotionTest {
+    private final Pose pose = new Pose();
+
+    @Test
+    public void rotationMovesEachPointAtRightAnglesToItsArm() {
+        // One turn in 2 pi s: 1 rad/s, from right to down. The point 10 to the right moves down at 10 px/s,
+        // the point 5 below moves left at 5 px/s.
+        new Motion.Rotation(100, 50, 0.3, 1).poseAt(2, pose);
+        assertEquals(0, pose.vxAt(50), 1e-12);
+        assertEquals(10, pose.vyAt(110), 1e-12);
+        assertEquals(-5, pose.vxAt(55), 1e-12);
+        assertEquals(0, pose.vyAt(100), 1e-12);
+    }
+
+    @Test
+    public void rotationTurnsTheShapeFromRightToDown() {
+        // After a quarter turn a box that lay along x stands upright.
+        new Motion.Rotation(0, 0, 0, Math.PI / 2).poseAt(1, pose);
+        Shape bar = new Shape.Box(10, 0, 20, 2);
+        assertEquals(-1, pose.distanceTo(bar, 0, 10), 1e-9);
+        assertEquals(9, pose.distanceTo(bar, 10, 10), 1e-9);
+        assertEquals(9, pose.distanceTo(bar, 10, 5), 1e-9);
+        assertEquals(10, pose.distanceTo(bar, 0, -10), 1e-9);
+    }
+
+    @Test
+    public void pendulumHasThePapersPeakSpeedAtTheLowestPoint() {
+        // sqrt(2 * 9.82 * 0.72 * (1 - cos 23 deg)) = 1.0602 m/s; 200 px/m makes 212.0 px/s.
+        Pendulum pendulum = new Pendulum(120, 90, 200, 0);
+        pendulum.poseAt(pendulum.periodS() / 4, pose);
+        assertEquals(1.0602, Pendulum.peakSpeedMPerS(), 5e-4);
+        assertEquals(200 * Pendulum.peakSpeedMPerS(), pose.vxPxPerS, 1e-6);
+        assertEquals(0, pose.vyPxPerS, 1e-6);
+        assertEquals(120, pose.x, 1e-6);
+        assertEquals(90, pose.y, 1e-6);
+    }
+
+    @Test
+    public void pendulumRestsAtItsGreatestAngle() {
+        // L sin 23 deg = 0.72 * 0.39073 = 0.28133 m, 56.27 px left of the lowest point.
+        new Pendulum(120, 90, 200, 0).poseAt(0, pose);
+        assertEquals(120 - 56.265, pose.x, 1e-3);
+        assertEquals(0, pose.vxPxPerS, 1e-6);
+    }
+
+    @Test
+    public void pendulumsPeriodExceedsTheSmallAngleOneByOnePercent() {
+        // 2 pi sqrt(0.72 / 9.82) = 1.70133 s; the series 1 + a^2/16 + 11 a^4/3072 with a = 0.40143 gives 1.01016.
+        assertEquals(1.70133 * 1.01016, new Pendulum(0, 0, 200, 0).periodS(), 1e-4);
+    }
+
+    @Test
+    public void panTurnsRoundInItsMiddle() {
+        Motion pan = new Motion.ThereAndBack(10, 20, 50, 0, 4, 0);
+        pan.poseAt(0, pose);
+        assertEquals(50, pose.vxPxPerS, 1e-9);
+        pan.poseAt(2, pose);
+        assertEquals(0, pose.vxPxPerS, 1e-9);
+        assertEquals(10 + 50 * 4 / Math.PI, pose.x, 1e-9);
+        pan.poseAt(4, pose);
+        assertEquals(-50, pose.vxPxPerS, 1e-9);
+        assertEquals(10, pose.x, 1e-9);
+    }
+
+    @Test
+    public void velocityIsTheDerivativeOfPlaceInEveryMotion() {
+        List<Motion> motions = List.of(
+                new Motion.Straight(5, 6, 1, 58, -20, 0.5),
+                new Motion.Rotation(5, 6, 0.5, -3),
+                new Motion.ThereAndBack(5, 6, 58, -20, 4, 0),
+                new Pendulum(120, 90, 373, 0.6),
+                new Wander(60, 60, 1, 120, 90, 90, 60, 58, 4, new Random(3)));
+        double gap = 1e-6;
+        for (Motion motion : motions) {
+            for (double time = 0.0123; time < 4; time += 0.3) {
+                Pose before = new Pose();
+                Pose after = new Pose();
+                motion.poseAt(time - gap, before);
+                motion.poseAt(time + gap, after);
+                motion.poseAt(time, pose);
+                assertEquals((after.x - before.x) / (2 * gap), pose.vxPxPerS, 1e-3);
+                assertEquals((after.y - before.y) / (2 * gap), pose.vyPxPerS, 1e-3);
+                double turned = Math.atan2(before.cos * after.sin - before.sin * after.cos,
+                        before.cos * after.cos + before.sin * after.sin);
+                assertEquals(turned / (2 * gap), pose.turnRadPerS, 1e-3);
+                double speed = Math.hypot(pose.vxAt(pose.y + 10), pose.vyAt(pose.x));
+                assertTrue(speed <= motion.maxSpeedPxPerS(10) + 1e-9);
+            }
+        }
+    }
+
+    @Test
+    public void wandererStaysInItsBoxAndReverses() {
+        Wander wander = new Wander(60, 60, 1, 120, 90, 90, 60, 58, 60, new Random(3));
+        int reversals = 0;
+        double lastAlong = 1;
+        for (double time = 0; time < 60; time += 0.01) {
+            wander.poseAt(time, pose);
+            // The box and a little more: it needs some px to turn.
+            assertTrue(Math.abs(pose.x - 120) < 115 && Math.abs(pose.y - 90) < 85);
+            double along = pose.vxPxPerS * pose.cos + pose.vyPxPerS * pose.sin;
+            reversals += along * lastAlong < 0 ? 1 : 0;
+            lastAlong = along;
+        }
+        assertTrue("reversals " + reversals, reversals >= 5);
+    }
+}
