@@ -1,7 +1,8 @@
 /**
  * Moving shapes seen by a threshold model of an event camera, with the truth of every event. Open
  * {@link io.github.sofas.simulate.Scene} first: it lists what can be seen;
- * {@link io.github.sofas.simulate.SimulatedSource} films it, and {@link io.github.sofas.simulate.SimulatedRecording} keeps a whole film in memory.
+ * {@link io.github.sofas.simulate.SimulatedSource} films it, and
+ * {@link io.github.sofas.simulate.SimulatedRecording} keeps a whole film in memory.
  *
  * <p>From scene to event: a scene is composed into a {@link io.github.sofas.simulate.World} of rigid objects, front to
  * back, each a {@link io.github.sofas.simulate.Shape} on a {@link io.github.sofas.simulate.Motion}. The
