@@ -39,6 +39,8 @@ public final class SimulatedSource implements EventSource {
     private final Random noise;
     private final EventQueue queue = new EventQueue();
     private final Pose causePose = new Pose();
+    private final Renderer.Visitor lightChanged = this::lightChanged;
+    private final PixelArray.Crossing crossed = this::crossed;
 
     private long pass;
     private long passStartUs;
@@ -222,7 +224,7 @@ public final class SimulatedSource implements EventSource {
     private void step() {
         nextUs = Math.min(durationUs, nowUs + stepUs);
         renderer.moveTo(nextUs * 1e-6);
-        renderer.visitChanging(this::lightChanged);
+        renderer.visitChanging(lightChanged);
         addNoise();
         nowUs = nextUs;
     }
@@ -235,7 +237,7 @@ public final class SimulatedSource implements EventSource {
         visitedX = x;
         visitedY = y;
         visitedObjects = objects;
-        pixels.change(pixel, StrictMath.log(newLight), nowUs, nextUs, this::crossed);
+        pixels.change(pixel, StrictMath.log(newLight), nowUs, nextUs, crossed);
     }
 
     private void crossed(int pixel, double timeUs, int polarity) {

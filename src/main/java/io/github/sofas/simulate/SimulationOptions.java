@@ -9,7 +9,8 @@ import java.util.Objects;
  * @param sensor the pixel array that sees the scene
  * @param durationUs length of the film in µs; 0 for the scene's own
  * @param speedPxPerS speed of the scene's first object in px/s, the others keep their ratio to it; 0 for the scene's
- *     own; for a pendulum the peak speed
+ *     own; for a pendulum the peak speed of its bob, for a pan that of the nearest bar, for wanderers the typical one;
+ *     rotating bars do not use it
  * @param directionDeg direction of the first object's motion in degrees from right to down; the whole arrangement
  *     turns with it
  * @param turnsPerS rate of the rotating bars, negative from right to up
