@@ -35,6 +35,10 @@ import java.io.IOException;
 final class Aedat2Reader extends RecordingReader {
     /** Stands for the next code after a spoiled IMU sample, whose rest is passed over. */
     private static final int SKIP_TO_NEXT_IMU = -1;
+    /** Steps of time from 0 to below 2^31 µs are what they seem; all others are looked at. */
+    private static final int STEP_BITS = 31;
+    /** How far an event may have been overtaken by an overflow of time and still be recognised. */
+    private static final long STRAGGLER_US = 1_000_000;
 
     private final int recordBytes;
     private final Chip.AddressLayout layout;
@@ -105,7 +109,7 @@ final class Aedat2Reader extends RecordingReader {
                     strangeAddress(address, n, p);
                 }
                 long time = raw + wrap;
-                if (time < last) {
+                if (time - last >>> STEP_BITS != 0) {
                     lastRawTime = lastRaw;
                     lastTimeUs = last;
                     time = orderedTime(raw, n, p);
@@ -156,7 +160,7 @@ final class Aedat2Reader extends RecordingReader {
                     continue;
                 }
                 long time = raw + wrap;
-                if (time < last) {
+                if (time - last >>> STEP_BITS != 0) {
                     lastRawTime = lastRaw;
                     lastTimeUs = last;
                     time = orderedTime(raw, n, p);
@@ -206,16 +210,23 @@ final class Aedat2Reader extends RecordingReader {
                 + String.format("but was 0x%08X", address) + "; its low 16 bits were used");
     }
 
-    /** Decides what it means that an event's time lies below the one before. */
+    /** Decides what it means that an event's time lies below the one before, or far above it. */
     private long orderedTime(int raw, int n, int p) throws MalformedRecordingException {
-        if (lastRawTime > 0 && raw <= 0) {
-            wrapUs += WRAP_US;
-            timeWraps++;
-            if (raw + wrapUs >= lastTimeUs) {
-                return raw + wrapUs;
+        long time = raw + wrapUs;
+        if (time >= lastTimeUs) {
+            if (timeWraps == 0 || time - WRAP_US < lastTimeUs - STRAGGLER_US) {
+                // The first event, or one after a long pause.
+                return time;
             }
+            // An event of before the overflow that came after it; the next event overflows again.
+            timeWraps--;
+            wrapUs -= WRAP_US;
+        } else if (lastRawTime > 0 && raw <= 0) {
+            timeWraps++;
+            wrapUs += WRAP_US;
         }
-        return stepBack(raw + wrapUs, eventNumber(n), offsetOf(p));
+        time = raw + wrapUs;
+        return time >= lastTimeUs ? time : stepBack(time, eventNumber(n), offsetOf(p));
     }
 
     private long offsetOf(int p) {

@@ -46,8 +46,8 @@ final class Aedat4Format {
 
     /** Larger ones are refused, so that a size that lies costs no more memory than this; recorders stay below 4 MiB. */
     static final int MAX_HEADER_BYTES = 16 << 20;
-    static final int MAX_PACKED_BYTES = 256 << 20;
-    static final int MAX_UNPACKED_BYTES = 512 << 20;
+    static final int MAX_PACKED_BYTES = 128 << 20;
+    static final int MAX_UNPACKED_BYTES = 128 << 20;
 
     /** How payloads are packed, in the order of the codes. */
     enum Compression {

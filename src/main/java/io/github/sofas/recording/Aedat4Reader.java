@@ -29,7 +29,7 @@ import java.util.Optional;
 
 /**
  * Reads AEDAT 4.0. Holds the file buffer and one packet packed and unpacked; recorders' packets stay below a few MiB,
- * and larger ones than {@link Aedat4Format#MAX_PACKED_BYTES} or {@link Aedat4Format#MAX_UNPACKED_BYTES} are refused.
+ * and ones of more than 128 MiB, packed or unpacked, are refused.
  *
  * <p>Places in messages are those of the packet that holds the event. Of several streams of events the first is read.
  */
@@ -264,6 +264,10 @@ final class Aedat4Reader extends RecordingReader {
     private String tableFault(byte[] bytes, int length, long found) {
         if (!FlatTable.hasIdentifier(bytes, IDENTIFIER_AT, length, DATA_TABLE)) {
             return "malformed, it must have the identifier " + DATA_TABLE + " but had another";
+        }
+        int announced = (int) INT.get(bytes, 0);
+        if (announced > length - Integer.BYTES) {
+            return "truncated, it must have " + announced + " bytes but had " + (length - Integer.BYTES);
         }
         try {
             FlatTable table = FlatTable.root(bytes, ROOT_AT, length);

@@ -34,9 +34,14 @@ public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLa
             davis("DAVIS240A", 240, 180),
             davis("DAVIS240B", 240, 180),
             davis("DAVIS240C", 240, 180),
+            davis("DVS240", 240, 180),
             davis("Davis346red", 346, 260),
             davis("Davis346blue", 346, 260),
-            davis("Davis346B", 346, 260));
+            davis("Davis346B", 346, 260),
+            davis("Davis346cBSI", 346, 260),
+            davis("Davis346Zynq", 346, 260),
+            davis("Davis128", 128, 128),
+            davis("Davis640", 640, 480));
 
     /** What cameras and AEDAT 3 and 4 call a whole family; its members differ in nothing that is read here. */
     private static final Map<String, String> FAMILIES = Map.of("davis240", "davis240c", "davis346", "davis346red");

@@ -23,8 +23,8 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
     static ChipChoice withLayout(String fileName, String headerChip, String optionChip) throws EventSourceException {
         ChipChoice choice = choose(fileName, headerChip, optionChip, "");
         if (choice.chip == null) {
-            throw new EventSourceException("[" + fileName + "] chip must be one of " + Chip.knownNames()
-                    + " because a size does not say how the addresses are packed, but --chip was " + optionChip);
+            throw new EventSourceException("[" + fileName + "] --chip must name one of " + Chip.knownNames()
+                    + ", because a size does not say how addresses are packed, but was " + optionChip);
         }
         return choice;
     }
@@ -49,7 +49,8 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         try {
             sensor = new SensorSize(Integer.parseInt(width), Integer.parseInt(height));
         } catch (IllegalArgumentException e) {
-            throw new MalformedRecordingException("[" + fileName + "] header: unsupported, the sensor must measure "
+            throw new MalformedRecordingException("[" + fileName + "] header at byte " + Aedat4Format.MAGIC_BYTES
+                    + ": unsupported, the sensor must measure "
                     + "1x1 to " + SensorSize.MAX_WIDTH + "x" + SensorSize.MAX_HEIGHT + " but was " + width + "x"
                     + height, e);
         }

@@ -57,8 +57,8 @@ final class Lz4FrameDecoder {
     /**
      * Unpacks one frame.
      *
-     * @param maxBytes the most bytes that may be unpacked; the array grows with what is there, never by what a header
-     *     announces
+     * @param maxBytes the most bytes that may be unpacked, counted in whole blocks; the array grows with what is
+     *     there, never by what a header announces
      */
     void decode(byte[] packed, int from, int to, int maxBytes) {
         input = packed;
@@ -121,7 +121,7 @@ final class Lz4FrameDecoder {
                 fault = "malformed, an LZ4 block's checksum does not match";
                 return;
             }
-            if (maxBytes - length < maxBlockBytes && maxBytes - length < have) {
+            if (maxBytes - length < maxBlockBytes) {
                 fault = "unsupported, a packet must unpack to at most " + maxBytes + " bytes";
                 return;
             }
@@ -130,8 +130,7 @@ final class Lz4FrameDecoder {
                 System.arraycopy(input, p, output, length, have);
                 length += have;
             } else {
-                int limit = Math.min(length + maxBlockBytes, maxBytes);
-                block(p, p + have, (flags & INDEPENDENT) != 0 ? length : 0, limit);
+                block(p, p + have, (flags & INDEPENDENT) != 0 ? length : 0, length + maxBlockBytes);
             }
             if (have < size) {
                 fault = "truncated, an LZ4 block must have " + size + " bytes but had " + have;

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 
@@ -13,6 +14,7 @@ import java.util.Map;
 public final class Recordings {
     private static final byte[] AEDAT_MAGIC = "#!AER-DAT".getBytes(StandardCharsets.US_ASCII);
     private static final int VERSION_BYTES = 16;
+    private static final int SHORTEST_VERSION_BYTES = 3;
 
     private Recordings() {
     }
@@ -126,12 +128,19 @@ public final class Recordings {
     }
 
     /** What follows the magic up to the line's end; null where the file does not start with the magic. */
-    private static String aedatVersion(RecordingFile file) throws IOException {
+    private static String aedatVersion(RecordingFile file) throws IOException, MalformedRecordingException {
         file.require(AEDAT_MAGIC.length + VERSION_BYTES);
-        for (int i = 0; i < AEDAT_MAGIC.length; i++) {
-            if (i >= file.available() || file.buffer[i] != AEDAT_MAGIC[i]) {
-                return null;
-            }
+        if (file.available() == 0) {
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: truncated, a recording must "
+                    + "not be empty");
+        }
+        int same = Arrays.mismatch(file.buffer, 0, file.available(), AEDAT_MAGIC, 0, AEDAT_MAGIC.length);
+        if (same >= 0 && same < Math.min(file.available(), AEDAT_MAGIC.length)) {
+            return null;
+        }
+        if (file.available() < AEDAT_MAGIC.length + SHORTEST_VERSION_BYTES) {
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: truncated, the first line "
+                    + "must have a version but ended after " + file.available() + " bytes");
         }
         int end = AEDAT_MAGIC.length;
         while (end < Math.min(file.available(), AEDAT_MAGIC.length + VERSION_BYTES) && file.buffer[end] > ' ') {

@@ -4,7 +4,7 @@
  * a class {@code XReader}; what all readers share (order of time, counts, faults) is in
  * {@link io.github.sofas.recording.RecordingReader}.
  *
- * <p>Depends on {@code event} only. A reader holds one buffer of 128 KiB and, for AEDAT 4, one packet packed and
- * unpacked; how much is had at most is written in each reader.
+ * <p>Depends on {@code event} only. Memory: a reader holds one buffer of 128 KiB, whatever the file's size, and for
+ * AEDAT 4 also one packet packed and unpacked (a few MiB as recorders write them, 128 MiB each at most).
  */
 package io.github.sofas.recording;

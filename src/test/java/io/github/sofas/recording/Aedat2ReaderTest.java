@@ -1,0 +1,247 @@
+package io.github.sofas.recording;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+public class Aedat2ReaderTest {
+    private static final String DVS128 = "# AEChip: ch.unizh.ini.jaer.chip.retina.DVS128\r\n";
+    private static final String DAVIS = "# AEChip: eu.seebetter.ini.chips.davis.DAVIS240C\r\n";
+    private static final String END = "#End Of ASCII Header\r\n";
+    private static final String KNOWN = "DVS128, Tmpdiff128, DAVIS240A, DAVIS240B, DAVIS240C, DVS240, Davis346red, "
+            + "Davis346blue, Davis346B, Davis346cBSI, Davis346Zynq, Davis128, Davis640";
+
+    @Rule public final TemporaryFolder folder = new TemporaryFolder();
+
+    private String header;
+
+    @Before public void startsWithAHeaderOfDvs128() {
+        header = "#!AER-DAT2.0\r\n" + DVS128 + END;
+    }
+
+    /** Raw x runs from right to left, raw y from the bottom up; bit 0 set is OFF. */
+    @Test public void turnsDvs128AddressesIntoRowsAndColumns() throws Exception {
+        ReadResult read = read(dvs(100, 0, 0, 1), dvs(101, 127, 5, -1));
+        assertEquals(List.of("100 127 127 1", "101 0 122 -1"), read.events);
+        assertNull(read.error);
+        assertEquals(List.of(), read.faults);
+    }
+
+    @Test public void turnsDavisAddressesIntoRowsAndColumns() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        assertEquals(List.of("7 239 179 1", "8 229 159 -1"), read(davis(7, 0, 0, 1), davis(8, 10, 20, -1)).events);
+    }
+
+    @Test public void readsAedat1WithAndWithoutHeader() throws Exception {
+        byte[] records = ByteBuffer.allocate(12).putShort((short) 0).putInt(5).putShort((short) 0x0203).putInt(6)
+                .array();
+        RecordingOptions options = ReadResult.PLAIN.withChip("dvs128");
+        List<String> events = List.of("5 127 127 1", "6 126 125 -1");
+        assertEquals(events, ReadResult.of(path(), "a.dat", records, options).events);
+        assertEquals(events, ReadResult.of(path(), "a.aedat", join("#!AER-DAT1.0\r\n", records), options).events);
+    }
+
+    @Test public void countsWhatIsNoChangeEvent() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        byte[][] records = new byte[11][];
+        for (int code = 0; code < 7; code++) {
+            records[code] = record(0x80000C00 | code << 28, 10);
+        }
+        records[7] = record(0x80000000, 10);
+        records[8] = record(0x80000400, 10);
+        records[9] = record(1 << 10, 10);
+        records[10] = davis(11, 0, 0, 1);
+        ReadResult read = read(records);
+        assertEquals(new RecordingCounts(1, 2, 0, 1, 1, 0, 0, 0, 0, 0), read.counts);
+        assertEquals(List.of(), read.faults);
+        header = "#!AER-DAT2.0\r\n" + DVS128 + END;
+        assertEquals(2, read(record(0x8000, 1), record(0x80000000, 1), dvs(2, 0, 0, 1)).counts.triggers());
+    }
+
+    @Test public void reportsAnImuSampleThatMissesAWord() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        byte[][] records = new byte[13][];
+        for (int i = 0, code = 0; i < 13; i++, code = i == 2 ? 3 : (code + 1) % 7) {
+            records[i] = record(0x80000C00 | code << 28, 10);
+        }
+        ReadResult read = read(records);
+        assertEquals(1, read.counts.imuSamples());
+        assertEquals(List.of("[a.aedat] event 0 at byte " + (header.length() + 16)
+                + ": malformed, an IMU sample's word must have code 2 but had 3"), read.faults);
+    }
+
+    @Test public void reportsAnImuSampleThatTheEndCutsOffAndEndsWell() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        ReadResult read = read(davis(1, 0, 0, 1), record(0x80000C00, 2), record(0x90000C00, 2));
+        assertNull(read.error);
+        assertEquals(0, read.counts.imuSamples());
+        assertEquals(List.of("[a.aedat] event 1 at byte " + (header.length() + 24)
+                + ": truncated, an IMU sample must have 7 words but had 2"), read.faults);
+    }
+
+    @Test public void dropsAndReportsEventsOutsideTheSensor() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        ReadResult read = read(davis(1, 0, 0, 1), davis(2, 301, 0, 1), davis(3, 0, 180, 1), davis(4, 0, 0, 1));
+        assertEquals(List.of("1 239 179 1", "4 239 179 1"), read.events);
+        assertEquals(2, read.counts.outsideSensor());
+        assertEquals(List.of("[a.aedat] event 1 at byte " + (header.length() + 8)
+                + ": x must be smaller than width 240 but was 301 (the first of 2)"), read.faults);
+    }
+
+    @Test public void undoesOverflowsOfTime() throws Exception {
+        ReadResult read = read(dvs(Integer.MAX_VALUE, 0, 0, 1), dvs(Integer.MIN_VALUE, 0, 0, 1), dvs(-1, 0, 0, 1),
+                dvs(1_000_000_000, 0, 0, 1), dvs(Integer.MIN_VALUE, 0, 0, 1));
+        // 2^31 - 1, 2^31, 2^32 - 1, 2^32 + 10^9, 2^32 + 2^31
+        assertEquals(List.of("2147483647 127 127 1", "2147483648 127 127 1", "4294967295 127 127 1",
+                "5294967296 127 127 1", "6442450944 127 127 1"), read.events);
+        assertEquals(2, read.counts.timeWraps());
+        assertEquals(List.of(), read.faults);
+    }
+
+    @Test public void recognisesAnEventThatAnOverflowOvertook() throws Exception {
+        ReadResult read = read(dvs(Integer.MAX_VALUE, 0, 0, 1), dvs(Integer.MIN_VALUE, 0, 0, 1),
+                dvs(Integer.MAX_VALUE - 1, 0, 0, 1), dvs(Integer.MIN_VALUE + 2, 0, 0, 1));
+        assertEquals(List.of("2147483647 127 127 1", "2147483648 127 127 1", "2147483648 127 127 1",
+                "2147483650 127 127 1"), read.events);
+        assertEquals(1, read.counts.timeWraps());
+        assertEquals(1, read.counts.stepsBack());
+    }
+
+    @Test public void leavesNegativeTimesAsTheyAre() throws Exception {
+        ReadResult read = read(dvs(-2_000_000_000, 0, 0, 1), dvs(-5, 0, 0, 1), dvs(0, 0, 0, 1), dvs(5, 0, 0, 1));
+        assertEquals(List.of("-2000000000 127 127 1", "-5 127 127 1", "0 127 127 1", "5 127 127 1"), read.events);
+        assertEquals(0, read.counts.timeWraps());
+    }
+
+    @Test public void deliversStepsBackWithTheGreatestTimeAndCountsThem() throws Exception {
+        ReadResult read = read(dvs(50, 0, 0, 1), dvs(40, 0, 0, 1), dvs(45, 0, 0, 1), dvs(51, 0, 0, 1));
+        assertEquals(List.of("50 127 127 1", "50 127 127 1", "50 127 127 1", "51 127 127 1"), read.events);
+        assertEquals(2, read.counts.stepsBack());
+        assertEquals(List.of("[a.aedat] event 1 at byte " + (header.length() + 8)
+                + ": time must not fall below 50 us but was 40 us (the first of 2)"), read.faults);
+    }
+
+    @Test public void endsAtAStepBackIfStrict() throws Exception {
+        byte[] bytes = join(header, dvs(50, 0, 0, 1), dvs(40, 0, 0, 1), dvs(51, 0, 0, 1));
+        ReadResult read = ReadResult.of(path(), "a.aedat", bytes, ReadResult.PLAIN.withStrict(true));
+        assertEquals(List.of("50 127 127 1"), read.events);
+        assertEquals("[a.aedat] event 1 at byte " + (header.length() + 8)
+                + ": malformed, time must not fall below 50 us but was 40 us", read.error);
+    }
+
+    /** 0x23 is '#': raw y 140 of a DAVIS346 starts a record so. */
+    @Test public void takesAFirstByteOfDataForDataEvenIfItStartsAHeaderLine() throws Exception {
+        byte[] first = record(0x23 << 24, 1);
+        String davis346 = "# AEChip: eu.seebetter.ini.chips.davis.Davis346red\r\n";
+        for (String end : new String[] {END, "#end of ascii header\r\n", ""}) {
+            header = "#!AER-DAT2.0\r\n" + davis346 + end;
+            ReadResult read = read(first, first, record('\n', 2));
+            assertEquals(end, List.of("1 345 119 -1", "1 345 119 -1", "2 345 259 -1"), read.events);
+        }
+    }
+
+    @Test public void deliversEveryEventBeforeATruncationAtAnyByte() throws Exception {
+        byte[] whole = join(header, dvs(1, 1, 1, 1), dvs(2, 2, 2, 1), dvs(3, 3, 3, 1), dvs(4, 4, 4, -1));
+        List<String> all = readFile(whole).events;
+        for (int length = 0; length < whole.length; length++) {
+            ReadResult read = readFile(Arrays.copyOf(whole, length));
+            int records = (length - header.length()) / 8;
+            int left = (length - header.length()) % 8;
+            if (length < header.length()) {
+                assertEquals(List.of(), read.events);
+                assertTrue("at " + length + ": " + read.error, read.error == null || read.error.contains("truncated")
+                        || read.error.contains("the recording names no chip"));
+            } else {
+                assertEquals(all.subList(0, records), read.events);
+                assertEquals(left == 0 ? null : "[a.aedat] event " + records + " at byte " + (length - left)
+                        + ": truncated, a record must have 8 bytes but had " + left, read.error);
+            }
+        }
+    }
+
+    @Test public void neverGuessesTheChip() throws Exception {
+        header = "#!AER-DAT2.0\r\n";
+        assertEquals("[a.aedat] the recording names no chip: --chip must name one of " + KNOWN,
+                read(dvs(1, 0, 0, 1)).error);
+        header = "#!AER-DAT2.0\r\n# AEChip: my.own.Chip\r\n";
+        assertEquals("[a.aedat] the recording's chip my.own.Chip is not known: --chip must name one of " + KNOWN,
+                read(dvs(1, 0, 0, 1)).error);
+    }
+
+    @Test public void refusesAChipThatIsNotKnown() throws Exception {
+        header = "#!AER-DAT2.0\r\n";
+        assertEquals("[a.aedat] --chip must name one of " + KNOWN + " or a size such as 240x180 but was DVS129",
+                readWithChip("DVS129").error);
+        assertEquals("[a.aedat] --chip must name one of " + KNOWN + ", because a size does not say how "
+                + "addresses are packed, but was 240x180", readWithChip("240x180").error);
+        assertEquals("[a.aedat] --chip 9999x1: sensor width must be between 1 and 1280 but was 9999",
+                readWithChip("9999x1").error);
+    }
+
+    @Test public void prefersTheHeadersChipAndSaysSo() throws Exception {
+        ReadResult read = readWithChip("DAVIS240C");
+        assertEquals(List.of("1 127 127 1"), read.events);
+        assertEquals(List.of("[a.aedat] the header names DVS128, so --chip DAVIS240C was not used"), read.faults);
+        assertEquals(List.of(), readWithChip("dvs128").faults);
+        header = "#!AER-DAT2.0\r\n# AEChip: my.own.Chip\r\n" + END;
+        read = readWithChip("DVS128");
+        assertEquals(List.of("1 127 127 1"), read.events);
+        assertEquals(List.of("[a.aedat] the header's chip my.own.Chip is not known, so --chip DVS128 was used"),
+                read.faults);
+    }
+
+    @Test public void reportsAddressesThatNoDvs128Has() throws Exception {
+        ReadResult read = read(dvs(1, 0, 0, 1), record(0x12340000, 2));
+        assertEquals(List.of("1 127 127 1", "2 127 127 1"), read.events);
+        assertEquals(List.of("[a.aedat] event 1 at byte " + (header.length() + 8)
+                + ": malformed, a DVS128 address must "
+                + "have 16 bits but was 0x12340000; its low 16 bits were used"), read.faults);
+    }
+
+    private ReadResult readWithChip(String chip) throws IOException {
+        return ReadResult.of(path(), "a.aedat", join(header, dvs(1, 0, 0, 1)), ReadResult.PLAIN.withChip(chip));
+    }
+
+    private ReadResult read(byte[]... records) throws IOException {
+        return readFile(join(header, records));
+    }
+
+    private ReadResult readFile(byte[] bytes) throws IOException {
+        return ReadResult.of(path(), "a.aedat", bytes, ReadResult.PLAIN);
+    }
+
+    private Path path() {
+        return folder.getRoot().toPath();
+    }
+
+    private static byte[] dvs(int time, int rawX, int rawY, int polarity) {
+        return record(rawX << 1 | rawY << 8 | (polarity > 0 ? 0 : 1), time);
+    }
+
+    private static byte[] davis(int time, int rawX, int rawY, int polarity) {
+        return record(rawX << 12 | rawY << 22 | (polarity > 0 ? 1 << 11 : 0), time);
+    }
+
+    private static byte[] record(int address, int time) {
+        return ByteBuffer.allocate(8).putInt(address).putInt(time).array();
+    }
+
+    private static byte[] join(String header, byte[]... parts) {
+        ByteBuffer all = ByteBuffer.allocate(100_000).put(header.getBytes(StandardCharsets.US_ASCII));
+        for (byte[] part : parts) {
+            all.put(part);
+        }
+        return Arrays.copyOf(all.array(), all.position());
+    }
+}
