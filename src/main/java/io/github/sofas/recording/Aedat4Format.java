@@ -44,8 +44,8 @@ final class Aedat4Format {
     static final int EVENT_PIXEL_AT = 8;
     static final int EVENT_POLARITY_AT = 12;
 
-    /** Larger ones are refused, so that a size that lies costs no more memory than this; recorders stay below 4 MiB. */
-    static final int MAX_HEADER_BYTES = 16 << 20;
+    /** Larger ones are refused, so that a size that lies costs no more memory than this; recorders stay far below. */
+    static final int MAX_HEADER_BYTES = 4 << 20;
     static final int MAX_PACKED_BYTES = 128 << 20;
     static final int MAX_UNPACKED_BYTES = 128 << 20;
 

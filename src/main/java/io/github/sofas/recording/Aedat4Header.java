@@ -46,6 +46,9 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
         }
     }
 
+    /** Of the declarations' XML, which is walked by recursion; recorders nest four deep. */
+    private static final int MAX_DEPTH = 64;
+
     /** Reads the header and leaves the file at the first packet. */
     static Aedat4Header read(RecordingFile file) throws IOException, MalformedRecordingException {
         file.seek(MAGIC_BYTES);
@@ -90,7 +93,8 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
         Map<Integer, Stream> streams = new LinkedHashMap<>();
         Element root;
         try {
-            DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
+            DocumentBuilderFactory factory = DocumentBuilderFactory.newDefaultInstance();
+            factory.setAttribute("jdk.xml.maxElementDepth", MAX_DEPTH);
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
             factory.setXIncludeAware(false);

@@ -17,7 +17,7 @@ import java.util.function.Supplier;
  * and time that never falls; other kinds are counted. Whatever is wrong but loses nothing else is kept in
  * {@link #faults()}; damage that ends the reading is thrown, after every event before it was delivered.
  *
- * <p>Used by one thread. Memory: see {@link io.github.sofas.recording the package}.
+ * <p>Used by one thread. What it holds in memory is written in the package's description.
  */
 public abstract class RecordingReader implements EventSource {
     final RecordingFile file;

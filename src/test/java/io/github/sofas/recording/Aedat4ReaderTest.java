@@ -181,6 +181,12 @@ public class Aedat4ReaderTest {
         assertTrue(read(bytes.build()).error.contains("DOCTYPE is disallowed"));
     }
 
+    @Test public void refusesDeclarationsThatNestWithoutEnd() throws Exception {
+        bytes.xml = "<node>".repeat(100_000) + "</node>".repeat(100_000);
+        String error = read(bytes.build()).error;
+        assertTrue(error, error.startsWith("[a.aedat4] header at byte 14: malformed, the streams must be declared "));
+    }
+
     @Test public void asksForTheSizeWhereTheHeaderHasNone() throws Exception {
         bytes.streams = Aedat4Bytes.stream(EVENTS_ID, "EVTS", "");
         byte[] file = bytes.events(FIRST).build();
