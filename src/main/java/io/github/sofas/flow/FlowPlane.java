@@ -52,6 +52,8 @@ final class FlowPlane {
     private int[] occupied;
     private int[] members = new int[4096];
     final MetricFit fit;
+    double foundVx;
+    double foundVy;
     int attempts;
     int successes;
 
@@ -390,17 +392,17 @@ final class FlowPlane {
         long step = ((long) m << 16) / want;
         for (int a = 0; a < want; a++) {
             int i = which[(int) (a * step >> 16)] & mask;
-            fit.add(fine(ex[i], ey[i], time[i], 0), fine(ex[i], ey[i], time[i], 16), (time[i] - ref) * 1e-6f, sign[i]);
+            fit.add(ex[i], ey[i], (time[i] - ref) * 1e-6f, 0, 0, sign[i]);
         }
         double vx = vxQ[k] / 256.0 * 1e6 / (1 << 20);
         double vy = vyQ[k] / 256.0 * 1e6 / (1 << 20);
         climb(vx, vy, window);
-        double bestX = fit.vx;
-        double bestY = fit.vy;
+        double bestX = foundVx;
+        double bestY = foundVy;
         double bestMetric = fit.metric;
         // a straight edge slides along itself at any speed: the slowest of what is about as good is right
-        double l1 = larger(fit.lxx, fit.lxy, fit.lyy);
-        double angle = 0.5 * Math.atan2(2 * fit.lxy, fit.lxx - fit.lyy);
+        double l1 = larger(fit.lossXx, fit.lossXy, fit.lossYy);
+        double angle = 0.5 * Math.atan2(2 * fit.lossXy, fit.lossXx - fit.lossYy);
         double ex1 = Math.cos(angle);
         double ey1 = Math.sin(angle);
         double across = bestX * ex1 + bestY * ey1;
@@ -408,13 +410,14 @@ final class FlowPlane {
         if (Math.abs(along) > 0.1 * Math.abs(across)) {
             climb(across * ex1, across * ey1, window);
             if (fit.metric < (1 - p.slowestWithin()) * bestMetric
-                    || Math.hypot(fit.vx, fit.vy) > Math.hypot(bestX, bestY)) {
+                    || Math.hypot(foundVx, foundVy) > Math.hypot(bestX, bestY)) {
                 climb(bestX, bestY, window);
             }
-            l1 = larger(fit.lxx, fit.lxy, fit.lyy);
+            l1 = larger(fit.lossXx, fit.lossXy, fit.lossYy);
         }
         // travel counts where it is seen: in the directions that would lose by standing still
-        double seen = fit.lxx * fit.vx * fit.vx + 2 * fit.lxy * fit.vx * fit.vy + fit.lyy * fit.vy * fit.vy;
+        double seen = fit.lossXx * foundVx * foundVx + 2 * fit.lossXy * foundVx * foundVy
+            + fit.lossYy * foundVy * foundVy;
         double travel = Math.sqrt(Math.max(0, seen / l1)) * window;
         double density = fit.metric / want * m / want;
         if (!(travel > 0.6 * p.flowTravelPx()) || density < p.evidence()) {
@@ -432,28 +435,22 @@ final class FlowPlane {
         double px = 2 / window;
         fit.frame(2 * px);
         for (int c = 0; c < 8; c++) {
-            fit.fit(vx, vy, p.flatShare());
-            vx = fit.vx;
-            vy = fit.vy;
-            if (c >= 2 && fit.step < 0.3) {
+            fit.fit(vx, vy, p.flatSigmas());
+            vx += fit.stepX;
+            vy += fit.stepY;
+            if (c >= 2 && fit.steps < 0.3) {
                 break;
             }
-            fit.frame(fit.metric, fit.lxx, fit.lxy, fit.lyy, p.neighbourLoss(), p.minStepPx() * px,
+            fit.frame(fit.metric, fit.lossXx, fit.lossXy, fit.lossYy, p.neighbourLoss(), p.minStepPx() * px,
                 p.maxStepPx() * px);
         }
+        foundVx = vx;
+        foundVy = vy;
     }
 
     private static double larger(double xx, double xy, double yy) {
         double d = (xx - yy) / 2;
         return (xx + yy) / 2 + Math.sqrt(d * d + xy * xy);
-    }
-
-    /** Position in 1/16 px with a fixed pseudo-random dither of half a pixel either way. */
-    static int fine(int x, int y, long t, int shift) {
-        long h = (t * 0x9E3779B97F4A7C15L) ^ (x * 0xC2B2AE3D27D4EB4FL) ^ (y * 0x165667B19E3779F9L);
-        h ^= h >>> 29;
-        h *= 0xBF58476D1CE4E5B9L;
-        return (shift == 0 ? x : y) * 16 + (int) (h >>> (40 + shift) & 15) - 8;
     }
 
     void reset() {

@@ -8,7 +8,8 @@ import java.util.function.Consumer;
 final class RefinedMethod implements Method {
     private final TrackPlaneStack stack;
     private final FlowPlane flowPlane;
-    private TrackPlane plane;
+    private float vx;
+    private float vy;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
         MetricFit fit = new MetricFit(sensor.width(), sensor.height(), 1 << 15);
@@ -19,10 +20,12 @@ final class RefinedMethod implements Method {
     @Override
     public int label(int x, int y, long timeUs, int polarity) {
         stack.advance(timeUs);
-        plane = stack.match(x, y, timeUs, polarity);
+        TrackPlane plane = stack.match(x, y, timeUs, polarity);
         int id = 0;
         if (plane != null) {
             id = plane.id;
+            vx = plane.vxAt(x, y, timeUs);
+            vy = plane.vyAt(x, y, timeUs);
             stack.assign(plane, x, y, timeUs, polarity);
         } else {
             flowPlane.add(x, y, timeUs, polarity);
@@ -36,12 +39,12 @@ final class RefinedMethod implements Method {
 
     @Override
     public float vxPxPerS() {
-        return (float) plane.vx;
+        return vx;
     }
 
     @Override
     public float vyPxPerS() {
-        return (float) plane.vy;
+        return vy;
     }
 
     @Override

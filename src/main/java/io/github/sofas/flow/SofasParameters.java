@@ -65,8 +65,23 @@ import java.lang.reflect.RecordComponent;
  *     closer ones differ by noise only; {@code default} only)
  * @param maxStepPx greatest distance of neighbouring projections over half the window in px, 0.1 to 16 (ours, as
  *     above; {@code default} only)
- * @param flatShare loss of metric below which a direction takes no step, 0 to 1 (ours, because the velocity along a
- *     straight edge would drift; {@code default} only)
+ * @param flatSigmas standard deviations of the metric that neighbours must lose for a direction to take a step, 0 to
+ *     100 (ours, because the velocity along a straight edge would drift; {@code default} only)
+ * @param stiffness share of the metric a px that a weakly known direction must lose to follow at half the step, 0 to
+ *     1 (ours, because the velocity along an edge hangs on its ends only; {@code default} only)
+ * @param sharedScore support of the second best track plane, as a share of the best, from which an event shows no
+ *     velocity, 0 to 1 (ours, because crossing objects pull at each other; {@code default} only)
+ * @param flatChange knowledge along an edge, as a share of that across, at which its acceleration counts half, 0 to 1
+ *     (ours, because along a straight edge nothing is known of acceleration; {@code default} only)
+ * @param rotation whether a track plane may turn, true or false (ours, because a pendulum and a bar turn; {@code
+ *     default} only)
+ * @param changePx distance of the projections that measure acceleration and rotation, at the end of the window in px,
+ *     0.05 to 4 (ours, because the velocity at the end of the window is wanted, not that in its middle; {@code
+ *     default} only)
+ * @param changeGain share of a newly measured acceleration or rotation that is taken over, 0.01 to 1 (ours, because
+ *     successive windows share most events; {@code default} only)
+ * @param bendPx shift at the end of the window by an acceleration or a rotation that may be noise in px, 0 to 10
+ *     (ours, because most motion is steady; {@code default} only)
  * @param maxTrackPlanes most track planes at once, 1 to 64 (ours, because memory is to be bounded)
  * @param minShare share of the expected events below which a track plane is removed, 0 to 1 (n of the paper, section
  *     Algorithm, without a number)
@@ -141,8 +156,28 @@ public record SofasParameters(
     @Parameter(value = "greatest distance of neighbouring projections over half the window",
         unit = "px", min = 0.1, max = 16)
     double maxStepPx,
-    @Parameter(value = "loss of metric below which a direction takes no step", min = 0, max = 1)
-    double flatShare,
+    @Parameter(value = "standard deviations of the metric that neighbours must lose for a direction to take a step",
+        min = 0, max = 100)
+    double flatSigmas,
+    @Parameter(value = "share of the metric a px that a weakly known direction must lose to follow at half the step",
+        min = 0, max = 1)
+    double stiffness,
+    @Parameter(value = "support of the second best track plane, as a share of the best, from which an event shows no velocity",
+        min = 0, max = 1)
+    double sharedScore,
+    @Parameter(value = "knowledge along an edge, as a share of that across, at which its acceleration counts half",
+        min = 0, max = 1)
+    double flatChange,
+    @Parameter(value = "whether a track plane may turn")
+    boolean rotation,
+    @Parameter(value = "distance of the projections that measure acceleration and rotation, at the end of the window",
+        unit = "px", min = 0.05, max = 4)
+    double changePx,
+    @Parameter(value = "share of a newly measured acceleration or rotation that is taken over", min = 0.01, max = 1)
+    double changeGain,
+    @Parameter(value = "shift at the end of the window by an acceleration or a rotation that may be noise",
+        unit = "px", min = 0, max = 10)
+    double bendPx,
     @Parameter(value = "most track planes at once", min = 1, max = 64)
     int maxTrackPlanes,
     @Parameter(value = "share of the expected events below which a track plane is removed", min = 0, max = 1)
@@ -173,7 +208,8 @@ public record SofasParameters(
             fastestPxPerS, flowTravelPx, lifespanUs, thresholdSd, minEvents, evidence, slowestWithin,
             lifetimePx, maxLifetimePx, maxLifetimeUs, steadyPx, hitShare, minPerturbationDeg,
             maxPerturbationDeg, contourThreshold, contourShare, sampleEvents, sampleDensity, neighbourLoss,
-            minStepPx, maxStepPx, flatShare, maxTrackPlanes, minShare, mergeVelocity, mergeLoss, mergeGapShare);
+            minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, flatChange, changePx, changeGain, bendPx,
+            maxTrackPlanes, minShare, mergeVelocity, mergeLoss, mergeGapShare);
         if (maxLifetimePx < lifetimePx) {
             throw new IllegalArgumentException("maxLifetimePx must be at least lifetimePx " + plain(lifetimePx)
                 + " but was " + plain(maxLifetimePx));
@@ -188,11 +224,13 @@ public record SofasParameters(
         if (preset == null) {
             throw new IllegalArgumentException("preset must be paper or default but was null");
         }
-        RecordComponent[] components = SofasParameters.class.getRecordComponents();
-        for (int i = 0; i < values.length; i++) {
-            RecordComponent component = components[i + 1];
+        int i = 0;
+        for (RecordComponent component : SofasParameters.class.getRecordComponents()) {
+            if (component.getType() == Preset.class || component.getType() == boolean.class) {
+                continue;
+            }
             Parameter range = component.getAnnotation(Parameter.class);
-            double value = values[i].doubleValue();
+            double value = values[i++].doubleValue();
             if (!(value >= range.min() && value <= range.max())) {
                 throw new IllegalArgumentException(component.getName() + " must be between " + plain(range.min())
                     + " and " + plain(range.max()) + " but was " + plain(value));
@@ -209,14 +247,15 @@ public record SofasParameters(
     public static SofasParameters paper() {
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
-            0.15, 1000, 1.5, 0.04, 0.5, 4, 0.002, 64, 0.2, 0.15, 0.03, 0.75);
+            0.15, 1000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.1, false, 1.5, 0.5, 0.1, 64, 0.2, 0.15, 0.01, 0.75);
     }
 
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
             15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 6, 16, 1_000_000, 0.15, 0.1,
-            0.05, 4, 3, 0.15, 1000, 1.5, 0.04, 0.5, 4, 0.002, 64, 0.2, 0.15, 0.03, 0.75);
+            0.05, 4, 3, 0.15, 1000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.1, true, 1.5, 0.5, 0.1, 64, 0.2, 0.15,
+            0.01, 0.75);
     }
 
     /** Velocity of a projection at an angle, in px/s. */
@@ -369,9 +408,44 @@ public record SofasParameters(
         return with("maxStepPx", value);
     }
 
-    /** The same with another {@link #flatShare}. */
-    public SofasParameters withFlatShare(double value) {
-        return with("flatShare", value);
+    /** The same with another {@link #flatSigmas}. */
+    public SofasParameters withFlatSigmas(double value) {
+        return with("flatSigmas", value);
+    }
+
+    /** The same with another {@link #stiffness}. */
+    public SofasParameters withStiffness(double value) {
+        return with("stiffness", value);
+    }
+
+    /** The same with another {@link #sharedScore}. */
+    public SofasParameters withSharedScore(double value) {
+        return with("sharedScore", value);
+    }
+
+    /** The same with another {@link #flatChange}. */
+    public SofasParameters withFlatChange(double value) {
+        return with("flatChange", value);
+    }
+
+    /** The same with another {@link #rotation}. */
+    public SofasParameters withRotation(boolean value) {
+        return with("rotation", value);
+    }
+
+    /** The same with another {@link #changePx}. */
+    public SofasParameters withChangePx(double value) {
+        return with("changePx", value);
+    }
+
+    /** The same with another {@link #changeGain}. */
+    public SofasParameters withChangeGain(double value) {
+        return with("changeGain", value);
+    }
+
+    /** The same with another {@link #bendPx}. */
+    public SofasParameters withBendPx(double value) {
+        return with("bendPx", value);
     }
 
     /** The same with another {@link #maxTrackPlanes}. */
@@ -399,7 +473,7 @@ public record SofasParameters(
         return with("mergeGapShare", value);
     }
 
-    private SofasParameters with(String name, Number value) {
+    private SofasParameters with(String name, Object value) {
         RecordComponent[] components = getClass().getRecordComponents();
         Object[] values = new Object[components.length];
         Class<?>[] types = new Class<?>[components.length];

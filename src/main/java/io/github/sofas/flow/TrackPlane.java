@@ -6,8 +6,6 @@ final class TrackPlane {
     private static final int HISTORY = 64;
 
     final SofasParameters p;
-    final int width;
-    final int height;
     final int gw;
     final int gh;
     /** Live events a cell: ON in the low half, OFF in the high half. */
@@ -15,9 +13,11 @@ final class TrackPlane {
 
     // live events, a ring in order of time
     final long[] time;
-    final int[] x16;
-    final int[] y16;
+    final short[] x;
+    final short[] y;
     final byte[] sign;
+    /** Whether two planes claimed the event: it shows nothing of the velocity of either. */
+    final boolean[] shared;
     final int[] cell;
     final int mask;
     int head;
@@ -27,60 +27,62 @@ final class TrackPlane {
     long firstUs;
     long lastUs;
     long events;
+
+    /** Reference time of contour and motion. */
+    long t0;
+    // motion at t0
     double vx;
     double vy;
     double ax;
     double ay;
-    /** Reference time of the contour. */
-    long t0;
-    int vxQ;
-    int vyQ;
+    double omega;
+    private double rawAlong;
+    private double rawAcross;
+    private double rawOmega;
+    /** Centre of rotation, on the sensor at t0. */
+    double centreX;
+    double centreY;
+    private int vxQ;
+    private int vyQ;
+    /** Distance of the live events from the centre, root of the mean square, in px. */
+    double radius;
+
     double meanSupport;
+    int threshold;
     double lifetimePx;
-    double widen;
-    /** Metric an event of all live events. */
-    double density;
     long lifetimeUs;
+    double widen;
     int sinceFit;
     long lastFitUs;
     int fits;
-    int steady;
-    // box of the contour in contour coordinates
+    // box of the contour on the grid
     int minX;
     int minY;
     int maxX;
     int maxY;
     // knowledge of the velocity
     double metric;
-    double lxx;
-    double lxy;
-    double lyy;
-    // history of velocity for path and acceleration
-    final long[] histT = new long[HISTORY];
-    final double[] histVx = new double[HISTORY];
-    final double[] histVy = new double[HISTORY];
-    final double[] histPath = new double[HISTORY];
-    int hist;
-    double path;
+    double lossXx;
+    double lossXy;
+    double lossYy;
+    /** Metric an event of all live events. */
+    double density;
     double typicalLive;
 
-    TrackPlane(SensorShape s, SofasParameters p) {
+    TrackPlane(int width, int height, SofasParameters p) {
         this.p = p;
-        width = s.width();
-        height = s.height();
         gw = width + 2 * MARGIN;
         gh = height + 2 * MARGIN;
         support = new int[gw * gh];
         int cap = 1 << 15;
         time = new long[cap];
-        x16 = new int[cap];
-        y16 = new int[cap];
+        x = new short[cap];
+        y = new short[cap];
         sign = new byte[cap];
+        shared = new boolean[cap];
         cell = new int[cap];
         mask = cap - 1;
     }
-
-    record SensorShape(int width, int height) { }
 
     void start(int newId, long now, double v0x, double v0y) {
         id = newId;
@@ -93,38 +95,62 @@ final class TrackPlane {
         vy = v0y;
         ax = 0;
         ay = 0;
+        omega = 0;
+        rawAlong = 0;
+        rawAcross = 0;
+        rawOmega = 0;
+        radius = 0;
         widen = 1;
         density = 0;
         lifetimePx = p.lifetimePx();
-        steady = 0;
         sinceFit = 0;
         fits = 0;
-        hist = 0;
-        path = 0;
         meanSupport = 0;
+        threshold = 4;
         typicalLive = 0;
         lastFitUs = now;
-        lifetimeUs = lifetimeFromSpeed();
-        setReference(now);
-        remember(now);
-    }
-
-    private long lifetimeFromSpeed() {
-        double speed = Math.hypot(vx, vy);
-        return (long) Math.min(p.maxLifetimeUs(), lifetimePx / Math.max(speed, 1e-3) * 1e6);
-    }
-
-    void setReference(long now) {
+        lifetimeUs = lifetime();
         t0 = now;
-        vxQ = (int) Math.round(vx * (1 << 28) / 1e6);
-        vyQ = (int) Math.round(vy * (1 << 28) / 1e6);
+        fix();
+        emptyBox();
+    }
+
+    /** Speed of the contour, root of the mean square. */
+    double speed() {
+        return Math.sqrt(vx * vx + vy * vy + omega * omega * radius * radius);
+    }
+
+    private long lifetime() {
+        return (long) Math.min(p.maxLifetimeUs(), lifetimePx / Math.max(speed(), 1e-3) * 1e6);
+    }
+
+    private void fix() {
+        vxQ = Projection.fixed(vx);
+        vyQ = Projection.fixed(vy);
+    }
+
+    float vxAt(int ex, int ey, long t) {
+        double dt = (t - t0) * 1e-6;
+        return (float) (vx + ax * dt - omega * (ey - centreY - vy * dt));
+    }
+
+    float vyAt(int ex, int ey, long t) {
+        double dt = (t - t0) * 1e-6;
+        return (float) (vy + ay * dt + omega * (ex - centreX - vx * dt));
     }
 
     /** Support of an event by the contour, in live events of the neighbourhood. */
-    int supportOf(int x, int y, long t, int s) {
+    int supportOf(int ex, int ey, long t, int s) {
         long dt = t - t0;
-        int cx = x + MARGIN - (int) ((vxQ * dt + (1L << 27)) >> 28);
-        int cy = y + MARGIN - (int) ((vyQ * dt + (1L << 27)) >> 28);
+        int cx = ex + MARGIN - Projection.travelled(vxQ, dt);
+        int cy = ey + MARGIN - Projection.travelled(vyQ, dt);
+        if (omega != 0) {
+            double turn = omega * dt * 1e-6;
+            double rx = cx - MARGIN - centreX;
+            double ry = cy - MARGIN - centreY;
+            cx += (int) Math.rint(turn * ry);
+            cy -= (int) Math.rint(turn * rx);
+        }
         if (cx < minX || cx > maxX || cy < minY || cy > maxY) {
             return 0;
         }
@@ -137,28 +163,34 @@ final class TrackPlane {
         return s > 0 ? 2 * on + off : 2 * off + on;
     }
 
-    int threshold() {
-        return Math.max(4, (int) (p.contourShare() * meanSupport));
-    }
-
     /** Adds an event at the newest end. */
-    void add(int ex16, int ey16, long t, int s) {
+    void add(int ex, int ey, long t, int s, boolean claimedTwice) {
         if (head - tail > mask) {
             drop();
         }
         int i = head++ & mask;
         time[i] = t;
-        x16[i] = ex16;
-        y16[i] = ey16;
+        x[i] = (short) ex;
+        y[i] = (short) ey;
         sign[i] = (byte) s;
+        shared[i] = claimedTwice;
         place(i);
         lastUs = t;
     }
 
     private void place(int i) {
         double dt = (time[i] - t0) * 1e-6;
-        int cx = (int) Math.floor(x16[i] / 16.0 - (vx + 0.5 * ax * dt) * dt + 0.5) + MARGIN;
-        int cy = (int) Math.floor(y16[i] / 16.0 - (vy + 0.5 * ay * dt) * dt + 0.5) + MARGIN;
+        double px = x[i] - (vx + 0.5 * ax * dt) * dt;
+        double py = y[i] - (vy + 0.5 * ay * dt) * dt;
+        if (omega != 0) {
+            double turn = omega * dt;
+            double rx = px - centreX;
+            double ry = py - centreY;
+            px += turn * ry - 0.5 * turn * turn * rx;
+            py -= turn * rx + 0.5 * turn * turn * ry;
+        }
+        int cx = (int) (px + (MARGIN + 0.5));
+        int cy = (int) (py + (MARGIN + 0.5));
         if (cx < 1 || cy < 1 || cx >= gw - 1 || cy >= gh - 1) {
             cell[i] = -1;
             return;
@@ -178,6 +210,13 @@ final class TrackPlane {
         if (cy >= maxY) {
             maxY = Math.min(gh - 2, cy + 1);
         }
+    }
+
+    private void emptyBox() {
+        minX = gw;
+        minY = gh;
+        maxX = 0;
+        maxY = 0;
     }
 
     private void drop() {
@@ -204,25 +243,34 @@ final class TrackPlane {
         return head - tail;
     }
 
-    /** Re-projects the live events with the velocity of now. */
-    void rebuild(long now) {
+    /** Moves the reference to now, and projects the live events anew. */
+    private void rebuild(long now) {
         for (int i = tail; i != head; i++) {
             int c = cell[i & mask];
             if (c >= 0) {
                 support[c] = 0;
             }
         }
-        setReference(now);
-        minX = gw;
-        minY = gh;
-        maxX = 0;
-        maxY = 0;
+        double dt = (now - t0) * 1e-6;
+        centreX += (vx + 0.5 * ax * dt) * dt;
+        centreY += (vy + 0.5 * ay * dt) * dt;
+        vx += ax * dt;
+        vy += ay * dt;
+        t0 = now;
+        fix();
+        emptyBox();
         for (int i = tail; i != head; i++) {
             place(i & mask);
         }
-        // mean support seen by live events
+        measureSupport();
+    }
+
+    private void measureSupport() {
         long sum = 0;
         int n = 0;
+        double sx = 0;
+        double sy = 0;
+        double sq = 0;
         int stride = Math.max(1, live() / 256);
         for (int i = tail; i < head; i += stride) {
             int c = cell[i & mask];
@@ -236,9 +284,26 @@ final class TrackPlane {
             int on = s9 & 0xffff;
             int off = s9 >>> 16;
             sum += sign[i & mask] > 0 ? 2 * on + off : 2 * off + on;
+            int px = c % gw - MARGIN;
+            int py = c / gw - MARGIN;
+            sx += px;
+            sy += py;
+            sq += px * px + py * py;
             n++;
         }
         meanSupport = n == 0 ? 0 : (double) sum / n;
+        threshold = Math.max(4, (int) (p.contourShare() * meanSupport));
+        if (n > 0) {
+            // the motion of the new centre is what the rotation about the old one gives it
+            double nx = sx / n;
+            double ny = sy / n;
+            vx -= omega * (ny - centreY);
+            vy += omega * (nx - centreX);
+            fix();
+            centreX = nx;
+            centreY = ny;
+            radius = Math.sqrt(Math.max(0, sq / n - nx * nx - ny * ny));
+        }
     }
 
     /** Forgets everything, leaving the grid empty for the next use. */
@@ -258,22 +323,38 @@ final class TrackPlane {
         return n <= least ? n : (int) Math.max(least, Math.min(n, n * p.sampleDensity() / Math.max(density, 1e-3)));
     }
 
-    void loadSample(MetricFit fit, long ref) {
+    /** Projects a sample of the live events along the motion to the reference time. */
+    private void load(MetricFit fit, long ref) {
         fit.clear();
         int n = live();
         int want = sample();
-        // evenly spread over the ring
         long step = ((long) n << 16) / want;
         long at = 0;
+        double refS = (ref - t0) * 1e-6;
+        double cx = centreX + (vx + 0.5 * ax * refS) * refS;
+        double cy = centreY + (vy + 0.5 * ay * refS) * refS;
+        double mx = vx + ax * refS;
+        double my = vy + ay * refS;
         for (int k = 0; k < want; k++, at += step) {
             int i = (tail + (int) (at >> 16)) & mask;
-            float tau = (time[i] - ref) * 1e-6f;
-            double q = 0.5 * tau * tau * 16;
-            fit.add(x16[i] - (int) Math.round(ax * q), y16[i] - (int) Math.round(ay * q), tau, sign[i]);
+            if (shared[i]) {
+                continue;
+            }
+            double tau = (time[i] - ref) * 1e-6;
+            double px = x[i] - (mx + 0.5 * ax * tau) * tau;
+            double py = y[i] - (my + 0.5 * ay * tau) * tau;
+            double rx = px - cx;
+            double ry = py - cy;
+            if (omega != 0) {
+                double turn = omega * tau;
+                px += turn * ry - 0.5 * turn * turn * rx;
+                py -= turn * rx + 0.5 * turn * turn * ry;
+            }
+            fit.add((float) px, (float) py, (float) tau, (float) rx, (float) ry, sign[i]);
         }
     }
 
-    /** Re-centres: measures the velocity over the live events. */
+    /** Re-centres: measures the motion over the live events. */
     void recentre(MetricFit fit, long now) {
         expire(now);
         sinceFit = 0;
@@ -282,55 +363,99 @@ final class TrackPlane {
         if (n >= 12) {
             long oldest = time[tail & mask];
             double window = (now - oldest) * 1e-6;
-            long ref = (now + oldest) >> 1;
             if (window > 1e-5) {
-                loadSample(fit, ref);
-                // velocity in the middle of the window
-                double back = (now - ref) * 1e-6;
-                double midX = vx - ax * back;
-                double midY = vy - ay * back;
-                double px = 2 / window;
-                if (fits == 0) {
-                    fit.frame(px);
-                } else {
-                    fit.frame(metric, lxx, lxy, lyy, p.neighbourLoss(), p.minStepPx() * px, p.maxStepPx() * px);
-                    fit.h1 *= widen;
-                    fit.h2 *= widen;
+                long ref = (now + oldest) >> 1;
+                load(fit, ref);
+                if (fit.size >= 12) {
+                    measure(fit, window, n, ref);
                 }
-                fit.fit(midX, midY, p.flatShare());
-                // in a thinned sample events meet by so much less
-                density = fit.metric / fit.n * n / fit.n;
-                metric = fit.metric;
-                lxx = fit.lxx;
-                lxy = fit.lxy;
-                lyy = fit.lyy;
-                vx += fit.dx;
-                vy += fit.dy;
-                widen = fit.step > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
-                double moved = Math.sqrt(Math.max(0, (lxx * fit.dx * fit.dx + 2 * lxy * fit.dx * fit.dy
-                    + lyy * fit.dy * fit.dy) / Math.max(lxx, lyy))) / px;
-                if (moved < p.steadyPx()) {
-                    lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
-                } else if (moved > 3 * p.steadyPx()) {
-                    lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
-                }
-                fits++;
             }
         }
-        remember(now);
-        lifetimeUs = lifetimeFromSpeed();
-        expire(now);
         rebuild(now);
+        lifetimeUs = lifetime();
+        expire(now);
     }
 
-    private void remember(long now) {
-        if (hist > 0) {
-            path += Math.hypot(vx, vy) * (now - histT[(hist - 1) % HISTORY]) * 1e-6;
+    private void measure(MetricFit fit, double window, int n, long ref) {
+        double half = window / 2;
+        double px = 1 / half;
+        if (fits == 0) {
+            fit.frame(px);
+        } else {
+            fit.frame(metric, lossXx, lossXy, lossYy, p.neighbourLoss(), p.minStepPx() * px, p.maxStepPx() * px);
+            fit.widen(widen);
         }
-        int i = hist++ % HISTORY;
-        histT[i] = now;
-        histVx[i] = vx;
-        histVy[i] = vy;
-        histPath[i] = path;
+        fit.fit(0, 0, p.flatSigmas());
+        // in a thinned sample events meet by so much less
+        density = fit.metric / fit.size * n / fit.size;
+        metric = fit.metric;
+        lossXx = fit.lossXx;
+        lossXy = fit.lossXy;
+        lossYy = fit.lossYy;
+        // what is weakly known moves slowly: (L + S)^-1 L (v - v0), with a stiffness S the same all round
+        double stiff = p.stiffness() * metric / (px * px);
+        double sxx = lossXx + stiff;
+        double syy = lossYy + stiff;
+        double det = sxx * syy - lossXy * lossXy;
+        double rx = lossXx * fit.stepX + lossXy * fit.stepY;
+        double ry = lossXy * fit.stepX + lossYy * fit.stepY;
+        double stepX = fits == 0 ? fit.stepX : (syy * rx - lossXy * ry) / det;
+        double stepY = fits == 0 ? fit.stepY : (sxx * ry - lossXy * rx) / det;
+        widen = fit.steps > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
+        double moved = Math.hypot(stepX, stepY) / px;
+        vx += stepX;
+        vy += stepY;
+        if (fits >= 2 && moved < 1) {
+            measureChange(fit, half, (t0 - ref) * 1e-6);
+            if (moved < p.steadyPx()) {
+                lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
+            }
+        }
+        if (moved > 3 * p.steadyPx()) {
+            lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
+        }
+        fits++;
+    }
+
+    /**
+     * Measures how the motion changes over the window: acceleration along and across the path, and rotation.
+     *
+     * @param half half of the window in s
+     * @param sinceMiddle time of the reference after the middle of the window, in s
+     */
+    private void measureChange(MetricFit fit, double half, double sinceMiddle) {
+        double dirX = fit.axisX();
+        double dirY = fit.axisY();
+        double known = fit.flatness();
+        double unit = 2 / (half * half);
+        double h = unit * p.changePx();
+        fit.fitAcceleration(dirX, dirY, h, 0.5);
+        double along = ax * dirX + ay * dirY + fit.step;
+        fit.fitAcceleration(-dirY, dirX, h, 0.5);
+        double across = ay * dirX - ax * dirY + fit.step;
+        rawAlong += p.changeGain() * (along - rawAlong);
+        rawAcross += p.changeGain() * (across - rawAcross);
+        along = believe(rawAlong, unit);
+        // along a straight edge nothing is known, of acceleration still less than of velocity
+        across = believe(rawAcross, unit) * known / (known + p.flatChange());
+        double oldX = ax;
+        double oldY = ay;
+        ax = along * dirX - across * dirY;
+        ay = along * dirY + across * dirX;
+        // the velocity in the middle of the window stays
+        vx += (ax - oldX) * sinceMiddle;
+        vy += (ay - oldY) * sinceMiddle;
+        if (p.rotation() && radius > 1) {
+            double perPx = 1 / (half * radius);
+            fit.fitRotation(perPx * p.changePx(), 0.5);
+            rawOmega += p.changeGain() * (omega + fit.step - rawOmega);
+            omega = believe(rawOmega, perPx);
+        }
+    }
+
+    /** A change that moves the end of the window by no more than the noise is none. */
+    private double believe(double value, double perPx) {
+        double px = value / perPx;
+        return value * px * px / (px * px + p.bendPx() * p.bendPx());
     }
 }

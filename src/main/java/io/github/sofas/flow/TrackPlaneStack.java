@@ -15,6 +15,7 @@ final class TrackPlaneStack implements FlowPlane.Found {
     private int size;
     private final List<TrackPlane> free = new ArrayList<>();
     private int nextId = 1;
+    private boolean claimedTwice;
     private long nextCheck = Long.MIN_VALUE;
 
     TrackPlaneStack(SensorSize sensor, SofasParameters p, MetricFit fit, Consumer<Segment> ended) {
@@ -28,19 +29,27 @@ final class TrackPlaneStack implements FlowPlane.Found {
     TrackPlane match(int x, int y, long t, int s) {
         TrackPlane best = null;
         double bestScore = 0;
+        double secondScore = 0;
         for (int i = 0; i < size; i++) {
             TrackPlane a = planes[i];
             int v = a.supportOf(x, y, t, s);
-            if (v >= a.threshold() && v > bestScore * a.meanSupport) {
-                best = a;
-                bestScore = v / a.meanSupport;
+            if (v >= a.threshold) {
+                double score = v / a.meanSupport;
+                if (score > bestScore) {
+                    secondScore = bestScore;
+                    best = a;
+                    bestScore = score;
+                } else if (score > secondScore) {
+                    secondScore = score;
+                }
             }
         }
+        claimedTwice = secondScore > p.sharedScore() * bestScore;
         return best;
     }
 
     void assign(TrackPlane a, int x, int y, long t, int s) {
-        a.add(FlowPlane.fine(x, y, t, 0), FlowPlane.fine(x, y, t, 16), t, s);
+        a.add(x, y, t, s, claimedTwice);
         a.events++;
         a.sinceFit++;
         if (a.sinceFit >= Math.max(40, Math.max(a.sample() / 4, a.live() / 12))) {
@@ -89,15 +98,15 @@ final class TrackPlaneStack implements FlowPlane.Found {
             return false;
         }
         // the velocity that serves both best, and what each loses by it
-        double hxx = a.lxx + b.lxx;
-        double hxy = a.lxy + b.lxy;
-        double hyy = a.lyy + b.lyy;
+        double hxx = a.lossXx + b.lossXx;
+        double hxy = a.lossXy + b.lossXy;
+        double hyy = a.lossYy + b.lossYy;
         double det = hxx * hyy - hxy * hxy;
         if (!(det > 0)) {
             return false;
         }
-        double rx = a.lxx * a.vx + a.lxy * a.vy + b.lxx * b.vx + b.lxy * b.vy;
-        double ry = a.lxy * a.vx + a.lyy * a.vy + b.lxy * b.vx + b.lyy * b.vy;
+        double rx = a.lossXx * a.vx + a.lossXy * a.vy + b.lossXx * b.vx + b.lossXy * b.vy;
+        double ry = a.lossXy * a.vx + a.lossYy * a.vy + b.lossXy * b.vx + b.lossYy * b.vy;
         double cx = (hyy * rx - hxy * ry) / det;
         double cy = (hxx * ry - hxy * rx) / det;
         return loss(a, cx, cy) < p.mergeLoss() * a.metric && loss(b, cx, cy) < p.mergeLoss() * b.metric;
@@ -106,7 +115,7 @@ final class TrackPlaneStack implements FlowPlane.Found {
     private static double loss(TrackPlane a, double cx, double cy) {
         double dx = a.vx - cx;
         double dy = a.vy - cy;
-        return a.lxx * dx * dx + 2 * a.lxy * dx * dy + a.lyy * dy * dy;
+        return a.lossXx * dx * dx + 2 * a.lossXy * dx * dy + a.lossYy * dy * dy;
     }
 
     private void merge(int i, int j, long t) {
@@ -127,9 +136,10 @@ final class TrackPlaneStack implements FlowPlane.Found {
         int n = a.live();
         int m = b.live();
         long[] tt = new long[n + m];
-        int[] xx = new int[n + m];
-        int[] yy = new int[n + m];
+        short[] xx = new short[n + m];
+        short[] yy = new short[n + m];
         byte[] ss = new byte[n + m];
+        boolean[] sh = new boolean[n + m];
         int ia = a.tail;
         int ib = b.tail;
         for (int k = 0; k < n + m; k++) {
@@ -137,13 +147,14 @@ final class TrackPlaneStack implements FlowPlane.Found {
             TrackPlane c = fromA ? a : b;
             int q = (fromA ? ia++ : ib++) & c.mask;
             tt[k] = c.time[q];
-            xx[k] = c.x16[q];
-            yy[k] = c.y16[q];
+            xx[k] = c.x[q];
+            yy[k] = c.y[q];
             ss[k] = c.sign[q];
+            sh[k] = c.shared[q];
         }
         a.clear();
         for (int k = 0; k < n + m; k++) {
-            a.add(xx[k], yy[k], tt[k], ss[k]);
+            a.add(xx[k], yy[k], tt[k], ss[k], sh[k]);
         }
         a.events += b.events;
         a.typicalLive = a.live();
@@ -165,14 +176,13 @@ final class TrackPlaneStack implements FlowPlane.Found {
         if (size == planes.length) {
             return;
         }
-        TrackPlane a = free.isEmpty() ? new TrackPlane(new TrackPlane.SensorShape(sensor.width(), sensor.height()), p)
+        TrackPlane a = free.isEmpty() ? new TrackPlane(sensor.width(), sensor.height(), p)
             : free.remove(free.size() - 1);
         long last = plane.time[members[n - 1] & plane.mask];
-        a.start(nextId++, last, found.vx, found.vy);
+        a.start(nextId++, last, plane.foundVx, plane.foundVy);
         for (int k = 0; k < n; k++) {
             int i = members[k] & plane.mask;
-            a.add(FlowPlane.fine(plane.ex[i], plane.ey[i], plane.time[i], 0),
-                FlowPlane.fine(plane.ex[i], plane.ey[i], plane.time[i], 16), plane.time[i], plane.sign[i]);
+            a.add(plane.ex[i], plane.ey[i], plane.time[i], plane.sign[i], false);
         }
         a.lastUs = last;
         a.firstUs = last;
