@@ -10,8 +10,8 @@ package io.github.sofas.flow;
  * velocity, and rewards projections that let events fall on whole pixels, zero velocity above all.
  */
 final class MetricFit {
-    /** Cells are one pixel, positions sixteenths of it. */
-    static final int SUB = 16;
+    /** Positions are in sixteenths of a cell. */
+    private static final int SUB = 16;
     private static final int SUB_BITS = 4;
     private static final int MARGIN = 40;
 
@@ -25,6 +25,8 @@ final class MetricFit {
     final byte[] vote;
     int size;
 
+    /** Positions a pixel. */
+    private final float scale;
     private final int width;
     private final int height;
     private final int[] f;
@@ -42,6 +44,8 @@ final class MetricFit {
     /** Step to the top in px/s. */
     double stepX;
     double stepY;
+    /** Whether the metric does not tell the velocity across the best known direction. */
+    boolean flat;
     /** Length of the step in distances of projections. */
     double steps;
 
@@ -55,7 +59,8 @@ final class MetricFit {
     double step;
     double loss;
 
-    MetricFit(int sensorWidth, int sensorHeight, int capacity) {
+    MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
+        scale = (float) (SUB / cellPx);
         x16 = new int[capacity];
         y16 = new int[capacity];
         tau = new float[capacity];
@@ -65,8 +70,8 @@ final class MetricFit {
         touched = new int[capacity];
         alongX = new float[capacity];
         alongY = new float[capacity];
-        width = sensorWidth + 2 * MARGIN;
-        height = sensorHeight + 2 * MARGIN;
+        width = (int) (sensorWidth / cellPx) + 2 + 2 * MARGIN;
+        height = (int) (sensorHeight / cellPx) + 2 + 2 * MARGIN;
         f = new int[width * height];
     }
 
@@ -89,8 +94,8 @@ final class MetricFit {
      */
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
         int i = size++;
-        x16[i] = (int) (x * SUB + (MARGIN * SUB + 0.5f));
-        y16[i] = (int) (y * SUB + (MARGIN * SUB + 0.5f));
+        x16[i] = (int) (x * scale + (MARGIN * SUB + 0.5f));
+        y16[i] = (int) (y * scale + (MARGIN * SUB + 0.5f));
         tau[i] = tauS;
         fromX[i] = rx;
         fromY[i] = ry;
@@ -99,7 +104,7 @@ final class MetricFit {
 
     /** Metric of the events moved back by velocity (vx, vy). */
     private double metricAt(double vx, double vy) {
-        return metric(tau, (float) (vx * SUB), tau, (float) (vy * SUB));
+        return metric(tau, (float) (vx * scale), tau, (float) (vy * scale));
     }
 
     /** Metric of the events moved back by sx alongX[i] and sy alongY[i]; 2 w f summed over all votes. */
@@ -214,6 +219,8 @@ final class MetricFit {
         double a = (s1 * ca - s2 * sa) * h1;
         double b = (s1 * sa + s2 * ca) * h2;
         steps = Math.sqrt(s1 * s1 + s2 * s2);
+        // the direction that is known less took no step, and had no slope to take one
+        flat = s2 == 0;
         stepX = a * frameX - b * frameY;
         stepY = a * frameY + b * frameX;
         // only curvature that falls away is knowledge
@@ -277,7 +284,7 @@ final class MetricFit {
     }
 
     private void fitAlong(double h, double sigmas) {
-        float s = (float) (h * SUB);
+        float s = (float) (h * scale);
         double less = metric(alongX, -s, alongY, -s);
         double here = metric(alongX, 0, alongY, 0);
         double more = metric(alongX, s, alongY, s);

@@ -12,7 +12,7 @@ final class RefinedMethod implements Method {
     private float vy;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
-        MetricFit fit = new MetricFit(sensor.width(), sensor.height(), 1 << 15);
+        MetricFit fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), 1 << 15);
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p, fit);
         stack = new TrackPlaneStack(sensor, p, fit, ended);
     }

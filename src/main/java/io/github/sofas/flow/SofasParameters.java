@@ -55,6 +55,8 @@ import java.lang.reflect.RecordComponent;
  *     {@code paper} only)
  * @param contourShare share of the mean support that puts an event on the contour, 0 to 1 (ours, because a contour a
  *     pixel wide loses events to noise in time; {@code default} only)
+ * @param voteCellPx side of the cells that velocities are measured with in px, 0.5 to 8 (ours, because cells as large
+ *     as pixels favour whole pixels of travel; {@code default} only)
  * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 32,768 (ours, because
  *     more events do not make it more accurate; {@code default} only)
  * @param sampleDensity metric an event below which a sample is enlarged, 0 to 100 (ours, because thinning events
@@ -69,8 +71,10 @@ import java.lang.reflect.RecordComponent;
  *     100 (ours, because the velocity along a straight edge would drift; {@code default} only)
  * @param stiffness share of the metric a px that a weakly known direction must lose to follow at half the step, 0 to
  *     1 (ours, because the velocity along an edge hangs on its ends only; {@code default} only)
- * @param sharedScore support of the second best track plane, as a share of the best, from which an event shows no
- *     velocity, 0 to 1 (ours, because crossing objects pull at each other; {@code default} only)
+ * @param sharedScore support of the second best track plane, as a share of the best, that hides the velocity, 0 to 1
+ *     (ours, because crossing objects pull at each other; {@code default} only)
+ * @param maxBendPx shift at the end of the window by an acceleration above which the lifetime shrinks in px, 0.01 to
+ *     10 (ours, because an acceleration is steady for a while only; {@code default} only)
  * @param flatChange knowledge along an edge, as a share of that across, at which its acceleration counts half, 0 to 1
  *     (ours, because along a straight edge nothing is known of acceleration; {@code default} only)
  * @param rotation whether a track plane may turn, true or false (ours, because a pendulum and a bar turn; {@code
@@ -82,11 +86,15 @@ import java.lang.reflect.RecordComponent;
  *     successive windows share most events; {@code default} only)
  * @param bendPx shift at the end of the window by an acceleration or a rotation that may be noise in px, 0 to 10
  *     (ours, because most motion is steady; {@code default} only)
+ * @param flatDecay share of the velocity along a straight edge that is dropped at each measurement, 0 to 1 (ours,
+ *     because it would drift; {@code default} only)
+ * @param maxShared share of events claimed by two track planes above which no change of motion is measured, 0 to 1
+ *     (ours, because crossing objects pull at each other; {@code default} only)
  * @param maxTrackPlanes most track planes at once, 1 to 64 (ours, because memory is to be bounded)
  * @param minShare share of the expected events below which a track plane is removed, 0 to 1 (n of the paper, section
  *     Algorithm, without a number)
  * @param mergeVelocity share of the speed by which two merging track planes may differ, 0 to 1 (ours, because the
- *     paper gives no rule; {@code paper} only)
+ *     paper gives no rule)
  * @param mergeLoss share of the metric that two track planes may lose by one common velocity, 0 to 1 (ours, because a
  *     straight edge knows only a part of its velocity; {@code default} only)
  * @param mergeGapShare gap between boxes that may merge, as a share of the larger side, 0 to 4 (ours, because the
@@ -144,6 +152,8 @@ public record SofasParameters(
     int contourThreshold,
     @Parameter(value = "share of the mean support that puts an event on the contour", min = 0, max = 1)
     double contourShare,
+    @Parameter(value = "side of the cells that velocities are measured with", unit = "px", min = 0.5, max = 8)
+    double voteCellPx,
     @Parameter(value = "events that a velocity is measured from, where they meet often", min = 32, max = 32_768)
     int sampleEvents,
     @Parameter(value = "metric an event below which a sample is enlarged", min = 0, max = 100)
@@ -162,9 +172,12 @@ public record SofasParameters(
     @Parameter(value = "share of the metric a px that a weakly known direction must lose to follow at half the step",
         min = 0, max = 1)
     double stiffness,
-    @Parameter(value = "support of the second best track plane, as a share of the best, from which an event shows no velocity",
+    @Parameter(value = "support of the second best track plane, as a share of the best, that hides the velocity",
         min = 0, max = 1)
     double sharedScore,
+    @Parameter(value = "shift at the end of the window by an acceleration above which the lifetime shrinks",
+        unit = "px", min = 0.01, max = 10)
+    double maxBendPx,
     @Parameter(value = "knowledge along an edge, as a share of that across, at which its acceleration counts half",
         min = 0, max = 1)
     double flatChange,
@@ -178,13 +191,20 @@ public record SofasParameters(
     @Parameter(value = "shift at the end of the window by an acceleration or a rotation that may be noise",
         unit = "px", min = 0, max = 10)
     double bendPx,
+    @Parameter(value = "share of the velocity along a straight edge that is dropped at each measurement",
+        min = 0, max = 1)
+    double flatDecay,
+    @Parameter(value = "share of events claimed by two track planes above which no change of motion is measured",
+        min = 0, max = 1)
+    double maxShared,
     @Parameter(value = "most track planes at once", min = 1, max = 64)
     int maxTrackPlanes,
     @Parameter(value = "share of the expected events below which a track plane is removed", min = 0, max = 1)
     double minShare,
     @Parameter(value = "share of the speed by which two merging track planes may differ", min = 0, max = 1)
     double mergeVelocity,
-    @Parameter(value = "share of the metric that two track planes may lose by one common velocity", min = 0, max = 1)
+    @Parameter(value = "share of the metric that two track planes may lose by one common velocity",
+        min = 0, max = 1)
     double mergeLoss,
     @Parameter(value = "gap between boxes that may merge, as a share of the larger side", min = 0, max = 4)
     double mergeGapShare) {
@@ -207,9 +227,10 @@ public record SofasParameters(
             flowProjections, velocityScalePxPerS, rangeDeg, refinement, cycles, constantEvents, slowestPxPerS,
             fastestPxPerS, flowTravelPx, lifespanUs, thresholdSd, minEvents, evidence, slowestWithin,
             lifetimePx, maxLifetimePx, maxLifetimeUs, steadyPx, hitShare, minPerturbationDeg,
-            maxPerturbationDeg, contourThreshold, contourShare, sampleEvents, sampleDensity, neighbourLoss,
-            minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, flatChange, changePx, changeGain, bendPx,
-            maxTrackPlanes, minShare, mergeVelocity, mergeLoss, mergeGapShare);
+            maxPerturbationDeg, contourThreshold, contourShare, voteCellPx, sampleEvents, sampleDensity,
+            neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, maxBendPx, flatChange,
+            changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare, mergeVelocity,
+            mergeLoss, mergeGapShare);
         if (maxLifetimePx < lifetimePx) {
             throw new IllegalArgumentException("maxLifetimePx must be at least lifetimePx " + plain(lifetimePx)
                 + " but was " + plain(maxLifetimePx));
@@ -247,15 +268,16 @@ public record SofasParameters(
     public static SofasParameters paper() {
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
-            0.15, 1000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.1, false, 1.5, 0.5, 0.1, 64, 0.2, 0.15, 0.01, 0.75);
+            0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05, 0.15, 64,
+            0.2, 0.15, 0.01, 0.75);
     }
 
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
             15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 6, 16, 1_000_000, 0.15, 0.1,
-            0.05, 4, 3, 0.15, 1000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.1, true, 1.5, 0.5, 0.1, 64, 0.2, 0.15,
-            0.01, 0.75);
+            0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.25, 0.1, true, 1.5, 0.5, 0.1, 0.05,
+            0.15, 64, 0.2, 0.15, 0.01, 0.75);
     }
 
     /** Velocity of a projection at an angle, in px/s. */
@@ -383,6 +405,11 @@ public record SofasParameters(
         return with("contourShare", value);
     }
 
+    /** The same with another {@link #voteCellPx}. */
+    public SofasParameters withVoteCellPx(double value) {
+        return with("voteCellPx", value);
+    }
+
     /** The same with another {@link #sampleEvents}. */
     public SofasParameters withSampleEvents(int value) {
         return with("sampleEvents", value);
@@ -423,6 +450,11 @@ public record SofasParameters(
         return with("sharedScore", value);
     }
 
+    /** The same with another {@link #maxBendPx}. */
+    public SofasParameters withMaxBendPx(double value) {
+        return with("maxBendPx", value);
+    }
+
     /** The same with another {@link #flatChange}. */
     public SofasParameters withFlatChange(double value) {
         return with("flatChange", value);
@@ -446,6 +478,16 @@ public record SofasParameters(
     /** The same with another {@link #bendPx}. */
     public SofasParameters withBendPx(double value) {
         return with("bendPx", value);
+    }
+
+    /** The same with another {@link #flatDecay}. */
+    public SofasParameters withFlatDecay(double value) {
+        return with("flatDecay", value);
+    }
+
+    /** The same with another {@link #maxShared}. */
+    public SofasParameters withMaxShared(double value) {
+        return with("maxShared", value);
     }
 
     /** The same with another {@link #maxTrackPlanes}. */

@@ -52,6 +52,8 @@ final class TrackPlane {
     double lifetimePx;
     long lifetimeUs;
     double widen;
+    private int sharedInSample;
+    private boolean known;
     int sinceFit;
     long lastFitUs;
     int fits;
@@ -160,7 +162,7 @@ final class TrackPlane {
             + g[c + gw - 1] + g[c + gw] + g[c + gw + 1];
         int on = sum & 0xffff;
         int off = sum >>> 16;
-        return s > 0 ? 2 * on + off : 2 * off + on;
+        return s > 0 ? 2 * on - off : 2 * off - on;
     }
 
     /** Adds an event at the newest end. */
@@ -239,6 +241,11 @@ final class TrackPlane {
         return Math.max(maxX - minX, maxY - minY) - 2;
     }
 
+    /** Whether the last measurement had a clear top. */
+    boolean isKnown() {
+        return known;
+    }
+
     int live() {
         return head - tail;
     }
@@ -283,7 +290,7 @@ final class TrackPlane {
             }
             int on = s9 & 0xffff;
             int off = s9 >>> 16;
-            sum += sign[i & mask] > 0 ? 2 * on + off : 2 * off + on;
+            sum += sign[i & mask] > 0 ? 2 * on - off : 2 * off - on;
             int px = c % gw - MARGIN;
             int py = c / gw - MARGIN;
             sx += px;
@@ -330,14 +337,17 @@ final class TrackPlane {
         int want = sample();
         long step = ((long) n << 16) / want;
         long at = 0;
+        sharedInSample = 0;
         double refS = (ref - t0) * 1e-6;
         double cx = centreX + (vx + 0.5 * ax * refS) * refS;
         double cy = centreY + (vy + 0.5 * ay * refS) * refS;
         double mx = vx + ax * refS;
         double my = vy + ay * refS;
         for (int k = 0; k < want; k++, at += step) {
-            int i = (tail + (int) (at >> 16)) & mask;
+            // anywhere within its share of the ring: an even stride would beat with periodic events
+            int i = (tail + (int) (at + (k * 0x9E3779B1L & 0xffff) * step / 0x10000 >> 16)) & mask;
             if (shared[i]) {
+                sharedInSample++;
                 continue;
             }
             double tau = (time[i] - ref) * 1e-6;
@@ -386,6 +396,8 @@ final class TrackPlane {
             fit.widen(widen);
         }
         fit.fit(0, 0, p.flatSigmas());
+        double sharp = Math.max(fit.lossXx, fit.lossYy) * px * px;
+        known = sharp > 0.01 * fit.metric;
         // in a thinned sample events meet by so much less
         density = fit.metric / fit.size * n / fit.size;
         metric = fit.metric;
@@ -393,7 +405,8 @@ final class TrackPlane {
         lossXy = fit.lossXy;
         lossYy = fit.lossYy;
         // what is weakly known moves slowly: (L + S)^-1 L (v - v0), with a stiffness S the same all round
-        double stiff = p.stiffness() * metric / (px * px);
+        double crossing = (double) sharedInSample / (sharedInSample + fit.size);
+        double stiff = p.stiffness() * (1 + 10 * crossing) * metric / (px * px);
         double sxx = lossXx + stiff;
         double syy = lossYy + stiff;
         double det = sxx * syy - lossXy * lossXy;
@@ -405,9 +418,30 @@ final class TrackPlane {
         double moved = Math.hypot(stepX, stepY) / px;
         vx += stepX;
         vy += stepY;
-        if (fits >= 2 && moved < 1) {
+        if (fit.flat) {
+            // along a straight edge: back to the normal flow
+            double along = (vy * fit.axisX() - vx * fit.axisY()) * p.flatDecay();
+            vx += along * fit.axisY();
+            vy -= along * fit.axisX();
+        }
+        if (crossing > p.maxShared()) {
+            rawAlong *= 0.8;
+            rawAcross *= 0.8;
+            rawOmega *= 0.8;
+            double keepX = ax * 0.2;
+            double keepY = ay * 0.2;
+            ax -= keepX;
+            ay -= keepY;
+            double since = (t0 - ref) * 1e-6;
+            vx -= keepX * since;
+            vy -= keepY * since;
+            omega *= 0.8;
+        } else if (fits >= 2 && moved < 1) {
             measureChange(fit, half, (t0 - ref) * 1e-6);
-            if (moved < p.steadyPx()) {
+            double bend = Math.hypot(rawAlong, rawAcross) * half * half / 2;
+            if (bend > p.maxBendPx()) {
+                lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.9);
+            } else if (moved < p.steadyPx() && bend < 0.7 * p.maxBendPx()) {
                 lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
             }
         }

@@ -34,7 +34,7 @@ final class TrackPlaneStack implements FlowPlane.Found {
             TrackPlane a = planes[i];
             int v = a.supportOf(x, y, t, s);
             if (v >= a.threshold) {
-                double score = v / a.meanSupport;
+                double score = (double) v / a.lifetimeUs;
                 if (score > bestScore) {
                     secondScore = bestScore;
                     best = a;
@@ -97,6 +97,9 @@ final class TrackPlaneStack implements FlowPlane.Found {
         if (a.fits == 0 || b.fits == 0) {
             return false;
         }
+        if (!near(a, b) || !near(b, a)) {
+            return false;
+        }
         // the velocity that serves both best, and what each loses by it
         double hxx = a.lossXx + b.lossXx;
         double hxy = a.lossXy + b.lossXy;
@@ -110,6 +113,13 @@ final class TrackPlaneStack implements FlowPlane.Found {
         double cx = (hyy * rx - hxy * ry) / det;
         double cy = (hxx * ry - hxy * rx) / det;
         return loss(a, cx, cy) < p.mergeLoss() * a.metric && loss(b, cx, cy) < p.mergeLoss() * b.metric;
+    }
+
+    /** Whether the velocities agree along the direction that a plane knows best, and it knows that one well. */
+    private boolean near(TrackPlane a, TrackPlane b) {
+        double angle = 0.5 * Math.atan2(2 * a.lossXy, a.lossXx - a.lossYy);
+        double d = (a.vx - b.vx) * Math.cos(angle) + (a.vy - b.vy) * Math.sin(angle);
+        return Math.abs(d) < p.mergeVelocity() * Math.max(a.speed(), b.speed()) && a.isKnown();
     }
 
     private static double loss(TrackPlane a, double cx, double cy) {
