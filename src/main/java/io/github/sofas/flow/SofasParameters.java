@@ -73,6 +73,8 @@ import java.lang.reflect.RecordComponent;
  *     1 (ours, because the velocity along an edge hangs on its ends only; {@code default} only)
  * @param sharedScore support of the second best track plane, as a share of the best, that hides the velocity, 0 to 1
  *     (ours, because crossing objects pull at each other; {@code default} only)
+ * @param foresight share of an acceleration that is taken to last from the middle of the window to now, 0 to 1 (ours,
+ *     because motion that speeds up slows down again; {@code default} only)
  * @param maxBendPx shift at the end of the window by an acceleration above which the lifetime shrinks in px, 0.01 to
  *     10 (ours, because an acceleration is steady for a while only; {@code default} only)
  * @param flatChange knowledge along an edge, as a share of that across, at which its acceleration counts half, 0 to 1
@@ -175,6 +177,9 @@ public record SofasParameters(
     @Parameter(value = "support of the second best track plane, as a share of the best, that hides the velocity",
         min = 0, max = 1)
     double sharedScore,
+    @Parameter(value = "share of an acceleration that is taken to last from the middle of the window to now",
+        min = 0, max = 1)
+    double foresight,
     @Parameter(value = "shift at the end of the window by an acceleration above which the lifetime shrinks",
         unit = "px", min = 0.01, max = 10)
     double maxBendPx,
@@ -228,9 +233,9 @@ public record SofasParameters(
             fastestPxPerS, flowTravelPx, lifespanUs, thresholdSd, minEvents, evidence, slowestWithin,
             lifetimePx, maxLifetimePx, maxLifetimeUs, steadyPx, hitShare, minPerturbationDeg,
             maxPerturbationDeg, contourThreshold, contourShare, voteCellPx, sampleEvents, sampleDensity,
-            neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, maxBendPx, flatChange,
-            changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare, mergeVelocity,
-            mergeLoss, mergeGapShare);
+            neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight, maxBendPx,
+            flatChange, changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare,
+            mergeVelocity, mergeLoss, mergeGapShare);
         if (maxLifetimePx < lifetimePx) {
             throw new IllegalArgumentException("maxLifetimePx must be at least lifetimePx " + plain(lifetimePx)
                 + " but was " + plain(maxLifetimePx));
@@ -268,16 +273,16 @@ public record SofasParameters(
     public static SofasParameters paper() {
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
-            0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05, 0.15, 64,
-            0.2, 0.15, 0.01, 0.75);
+            0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.85, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05,
+            0.15, 64, 0.2, 0.15, 0.01, 0.75);
     }
 
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
-            15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 6, 16, 1_000_000, 0.15, 0.1,
-            0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.25, 0.1, true, 1.5, 0.5, 0.1, 0.05,
-            0.15, 64, 0.2, 0.15, 0.01, 0.75);
+            15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 4, 16, 1_000_000, 0.15, 0.1,
+            0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.85, 0.25, 0.1, true, 1.5, 0.5, 0.1,
+            0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.75);
     }
 
     /** Velocity of a projection at an angle, in px/s. */
@@ -448,6 +453,11 @@ public record SofasParameters(
     /** The same with another {@link #sharedScore}. */
     public SofasParameters withSharedScore(double value) {
         return with("sharedScore", value);
+    }
+
+    /** The same with another {@link #foresight}. */
+    public SofasParameters withForesight(double value) {
+        return with("foresight", value);
     }
 
     /** The same with another {@link #maxBendPx}. */

@@ -440,7 +440,7 @@ final class TrackPlane {
             measureChange(fit, half, (t0 - ref) * 1e-6);
             double bend = Math.hypot(rawAlong, rawAcross) * half * half / 2;
             if (bend > p.maxBendPx()) {
-                lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.9);
+                lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
             } else if (moved < p.steadyPx() && bend < 0.7 * p.maxBendPx()) {
                 lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
             }
@@ -462,6 +462,7 @@ final class TrackPlane {
         double dirY = fit.axisY();
         double known = fit.flatness();
         double unit = 2 / (half * half);
+        double unitPx = 1 / half;
         double h = unit * p.changePx();
         fit.fitAcceleration(dirX, dirY, h, 0.5);
         double along = ax * dirX + ay * dirY + fit.step;
@@ -469,9 +470,10 @@ final class TrackPlane {
         double across = ay * dirX - ax * dirY + fit.step;
         rawAlong += p.changeGain() * (along - rawAlong);
         rawAcross += p.changeGain() * (across - rawAcross);
-        along = believe(rawAlong, unit);
+        // measured in the middle of the window, half of it ago: by now some of it is over
+        along = p.foresight() * believe(rawAlong, unit);
         // along a straight edge nothing is known, of acceleration still less than of velocity
-        across = believe(rawAcross, unit) * known / (known + p.flatChange());
+        across = p.foresight() * believe(rawAcross, unit) * known / (known + p.flatChange());
         double oldX = ax;
         double oldY = ay;
         ax = along * dirX - across * dirY;
@@ -483,7 +485,10 @@ final class TrackPlane {
             double perPx = 1 / (half * radius);
             fit.fitRotation(perPx * p.changePx(), 0.5);
             rawOmega += p.changeGain() * (omega + fit.step - rawOmega);
-            omega = believe(rawOmega, perPx);
+            // nor is the rotation of a disc
+            double shown = fit.loss * perPx * perPx;
+            double best = Math.max(lossXx, lossYy) * unitPx * unitPx;
+            omega = believe(rawOmega, perPx) * shown / (shown + p.flatChange() * best);
         }
     }
 
