@@ -144,9 +144,10 @@ install_package() {
         return 1
     fi
     say "installing the packages gradle and openjdk-17-jdk-headless by apt-get"
-    $as_root apt-get update -qq >&2 &&
-        DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends \
-            gradle openjdk-17-jdk-headless >&2
+    # what it unpacks is not said, what goes wrong is
+    $as_root apt-get update -qq >/dev/null &&
+        $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+            gradle openjdk-17-jdk-headless >/dev/null
 }
 
 java_home_given=${JAVA_HOME:-}

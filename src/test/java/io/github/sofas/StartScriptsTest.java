@@ -18,7 +18,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** Runs {@code gradlew} and {@code sofas} in a folder of their own, with a Gradle and a Java that only print. */
 public class StartScriptsTest {
-    private static final List<String> TOOLS = List.of("sh", "awk", "cat", "chmod", "cut", "dirname", "find", "grep",
+    private static final List<String> TOOLS = List.of("sh", "awk", "cat", "chmod", "dirname", "env", "find", "grep",
         "id", "mkdir", "mktemp", "mv", "readlink", "rm", "sed", "sha256sum", "touch", "unzip");
 
     @Rule
