@@ -337,6 +337,11 @@ final class PaperTrackPlane {
         return head - tail;
     }
 
+    /** Angle between neighbouring projections, h, in degrees. */
+    double perturbationDeg() {
+        return h;
+    }
+
     /** Occupied cells of a projection, for tests and pictures. */
     int cells(int i, int j) {
         return cells[j * SIDE + i];

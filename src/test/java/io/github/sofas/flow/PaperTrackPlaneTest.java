@@ -1,0 +1,228 @@
+package io.github.sofas.flow;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.flow.PlainPlane.Event;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Test;
+
+/**
+ * The paper's track plane worked out by hand. One projection in three lies at angle 0, so that a structure of events
+ * that stand still has velocity 0; velocityScale 100 px/s at 45 degrees.
+ */
+public class PaperTrackPlaneTest {
+    /** One cycle of 3 x 3 projections over 6 degrees: h starts at 2 degrees, 3.49 px/s. */
+    private static final SofasParameters P = SofasParameters.paper().withFlowProjections(3).withRangeDeg(6)
+        .withCycles(1).withThresholdSd(0).withHitShare(1).withContourThreshold(2);
+    private static final long SECOND = 1_000_000;
+
+    /** A plane of 40 x 30 whose structure is a row of still dots on (10..9+n, 5), the first of them twice. */
+    private static PaperTrackPlane stillRow(SofasParameters p, int n) {
+        List<Event> events = new ArrayList<>();
+        events.add(new Event(10, 5, 0, 1));
+        for (int i = 0; i < n; i++) {
+            events.add(new Event(10 + i, 5, 0, 1));
+        }
+        return started(p, events, 1, 1);
+    }
+
+    /** A plane of 40 x 30 of the events that projection (i, j) of the flow plane associates. */
+    private static PaperTrackPlane started(SofasParameters p, List<Event> events, int i, int j) {
+        PaperRefinement structure = new PaperRefinement(p);
+        int n = events.size();
+        long[] time = new long[n];
+        short[] x = new short[n];
+        short[] y = new short[n];
+        byte[] sign = new byte[n];
+        for (int e = 0; e < n; e++) {
+            time[e] = events.get(e).timeUs();
+            x[e] = (short) events.get(e).x();
+            y[e] = (short) events.get(e).y();
+            sign[e] = (byte) events.get(e).polarity();
+        }
+        structure.load(time, x, y, sign, 0, n);
+        structure.refine(i, j);
+        PaperTrackPlane plane = new PaperTrackPlane(40, 30, p);
+        plane.start(7, structure);
+        return plane;
+    }
+
+    @Test
+    public void occupiedCellsOfEveryProjectionAreCounted() {
+        // all at the reference time: no projection moves them
+        PaperTrackPlane plane = stillRow(P, 8);
+        assertEquals(9, plane.live());
+        for (int k = 0; k < 9; k++) {
+            assertEquals(8, plane.cells(k % 3, k / 3));
+        }
+        assertEquals(0, plane.vxPxPerS, 0);
+        assertEquals(List.of(10, 5, 17, 5), List.of(plane.minX, plane.minY, plane.maxX, plane.maxY));
+    }
+
+    @Test
+    public void eventOnTheContourBelongsAndOneBesideItDoesNot() {
+        PaperTrackPlane plane = stillRow(P, 8);
+        assertTrue(plane.offer(17, 5, 10));
+        assertFalse(plane.offer(18, 5, 20));
+        assertFalse(plane.offer(17, 6, 30));
+        assertEquals(1, plane.events);
+        assertEquals(10, plane.lastUs);
+    }
+
+    @Test
+    public void contourEvolvesPastTheThreshold() {
+        // threshold 2: the third event that misses at one cell makes it contour, and the fourth falls on contour
+        PaperTrackPlane plane = stillRow(P, 8);
+        assertFalse(plane.offer(30, 20, 10));
+        assertFalse(plane.offer(30, 20, 20));
+        assertEquals(8, plane.cells(1, 1));
+        assertTrue(plane.offer(30, 20, 30));
+        assertEquals(9, plane.cells(1, 1));
+        assertTrue(plane.offer(30, 20, 40));
+        assertEquals(9, plane.cells(1, 1));
+    }
+
+    @Test
+    public void centreThatIsBestHalvesTheDistance() {
+        // Share 0.5 of 8 cells is passed by the fifth hit. At time 0 all projections are hit alike: the centre is best.
+        // h goes from 2 to 1 degree: one second later the neighbour has moved round(100 tan 1 * 1) = 2 px, not 3.
+        PaperTrackPlane plane = stillRow(P.withHitShare(0.5).withMinPerturbationDeg(0.3), 8);
+        for (int i = 0; i < 5; i++) {
+            assertEquals("before hit " + i, 2, distance(plane), 0);
+            assertTrue(plane.offer(10 + i, 5, 0));
+        }
+        assertEquals(1, distance(plane), 0);
+        for (int i = 0; i < 7; i++) {
+            assertTrue(plane.offer(10, 5, 0));
+        }
+        // five more hits halve again; the next halving meets the least distance
+        assertEquals(0.5, distance(plane), 0);
+        for (int i = 0; i < 5; i++) {
+            assertTrue(plane.offer(10, 5, 0));
+        }
+        assertEquals(0.3, distance(plane), 0);
+        assertEquals(0, plane.vxPxPerS, 0);
+    }
+
+    private static double distance(PaperTrackPlane plane) {
+        return plane.perturbationDeg();
+    }
+
+    /** Ten dots two columns apart, of two events each, and a lone one below the first: a plane that stands still. */
+    private static PaperTrackPlane spacedDots(SofasParameters p) {
+        // threshold: the mean of ten cells of 2 and one of 1, so that each dot is associated though none are connected
+        List<Event> events = new ArrayList<>();
+        for (int i = 0; i < 10; i++) {
+            events.add(new Event(10 + 2 * i, 5, 0, 1));
+            events.add(new Event(10 + 2 * i, 5, 0, 1));
+        }
+        events.add(new Event(10, 6, 0, 1));
+        return started(p, events, 1, 1);
+    }
+
+    @Test
+    public void neighbourThatIsBestBecomesTheCentreAndDoublesTheDistance() {
+        // 11 cells: (10 + 2i, 5) and (10, 6). After 0.4 s the neighbours stand 100 tan 2 * 0.4 = 1.40 px off: 1 px.
+        // Dots that moved 1 px right are hit by the right-hand projection of the middle row only: (11 + 2i) - 1.
+        // The one to the left sees (11 + 2i) + 1 = 12 + 2i, a dot for all but the last: so it is hit as well, one dot
+        // less. Share 0.8 of 11 cells = 8.8 is passed by the ninth hit. With the last dot first, right is ahead.
+        PaperTrackPlane plane = spacedDots(P.withHitShare(0.8));
+        assertEquals(11, plane.cells(1, 1));
+        for (int i = 9; i > 1; i--) {
+            assertFalse(plane.offer(11 + 2 * i, 5, 400_000));
+            assertEquals(0, plane.vxPxPerS, 0);
+        }
+        assertFalse(plane.offer(11 + 2, 5, 400_000));
+        assertEquals(100 * Math.tan(Math.toRadians(2)), plane.vxPxPerS, 1e-5);
+        assertEquals(0, plane.vyPxPerS, 0);
+        assertEquals(4, plane.perturbationDeg(), 0);
+    }
+
+    @Test
+    public void distanceStopsDoublingAtItsGreatest() {
+        PaperTrackPlane plane = spacedDots(P.withHitShare(0.8).withMaxPerturbationDeg(3));
+        for (int i = 9; i >= 1; i--) {
+            assertFalse(plane.offer(11 + 2 * i, 5, 400_000));
+        }
+        assertEquals(3, plane.perturbationDeg(), 0);
+    }
+
+    @Test
+    public void eventLeavesAfterTheTimeToCrossTheLifetimesPixels() {
+        // at 2 degrees the plane moves 3.492077 px/s: 3 px take 859,087.6 us
+        PaperTrackPlane plane = stillDots(P.withMinShare(0), 5, 5, 1);
+        assertEquals(100 * Math.tan(Math.toRadians(2)), plane.vxPxPerS, 1e-5);
+        assertFalse(plane.isStarved(859_087));
+        assertEquals(11, plane.live());
+        assertTrue(plane.isStarved(859_088));
+        assertEquals(0, plane.live());
+    }
+
+    @Test
+    public void lifetimeOfAPlaneThatStandsStillIsTheLongest() {
+        PaperTrackPlane plane = stillRow(P.withMaxLifetimeUs(2 * SECOND), 8);
+        plane.isStarved(2 * SECOND);
+        assertEquals(9, plane.live());
+        plane.isStarved(2 * SECOND + 1);
+        assertEquals(0, plane.live());
+    }
+
+    @Test
+    public void planeWithFewerEventsThanItsShareOfCellsALifetimeIsStarved() {
+        // 8 cells, share 0.25: 2 events a lifetime of 1 s are enough, 1 is not; before a lifetime has passed nobody asks
+        SofasParameters p = P.withMinShare(0.25).withMaxLifetimeUs(SECOND);
+        PaperTrackPlane fed = stillRow(p, 8);
+        fed.offer(10, 5, 100);
+        fed.offer(11, 5, 200);
+        assertFalse(fed.isStarved(SECOND));
+        PaperTrackPlane hungry = stillRow(p, 8);
+        hungry.offer(10, 5, 100);
+        assertFalse(hungry.isStarved(SECOND - 1));
+        assertTrue(hungry.isStarved(SECOND));
+    }
+
+    @Test
+    public void planeWithoutLiveEventsIsStarvedAtOnce() {
+        assertTrue(stillRow(P.withMinShare(0), 8).isStarved(SECOND + 1));
+    }
+
+    @Test
+    public void planesOfSimilarVelocityWhoseBoxesTouchDescribeTheSame() {
+        PaperTrackPlane a = stillRow(P, 8); // columns 10 to 17, row 5
+        assertTrue(a.describesSameAs(stillDots(P, 18, 5, 0)));
+        assertTrue(a.describesSameAs(stillDots(P, 18, 6, 0)));
+        assertFalse(a.describesSameAs(stillDots(P, 19, 5, 0)));
+        assertFalse(a.describesSameAs(stillDots(P, 12, 7, 0)));
+        // 3.5 px/s apart is more than 15 % of 3.5 px/s
+        assertFalse(a.describesSameAs(stillDots(P, 18, 5, 1)));
+    }
+
+    /** Ten dots from (x, y) to the right, at time 0, taken to move right at 2 degrees times the last argument. */
+    private static PaperTrackPlane stillDots(SofasParameters p, int x, int y, int right) {
+        List<Event> events = new ArrayList<>();
+        for (int i = 0; i < 10; i++) {
+            events.add(new Event(x + i, y, 0, 1));
+        }
+        events.add(new Event(x, y, 0, 1));
+        return started(p, events, 1 + right, 1);
+    }
+
+    @Test
+    public void mergedPlaneTakesOverEventsCellsAndBox() {
+        PaperTrackPlane a = stillRow(P, 8); // 9 events on 8 cells
+        PaperTrackPlane b = stillDots(P, 18, 6, 0); // 11 events on 10 cells
+        assertTrue(a.offer(10, 5, 100));
+        assertTrue(b.offer(18, 6, 50));
+        assertTrue(b.offer(19, 6, 150));
+        a.merge(b);
+        assertEquals(10 + 13, a.live());
+        assertEquals(18, a.cells(1, 1));
+        assertEquals(3, a.events);
+        assertEquals(150, a.lastUs);
+        assertEquals(List.of(10, 5, 27, 6), List.of(a.minX, a.minY, a.maxX, a.maxY));
+        assertTrue(a.offer(27, 6, 200));
+    }
+}
