@@ -205,6 +205,11 @@ final class PaperRefinement {
         return y[from + i];
     }
 
+    /** Polarity of event i, +1 or -1. */
+    int polarity(int i) {
+        return sign[from + i];
+    }
+
     /** How many events belong to the structure. */
     int size() {
         return members;

@@ -113,7 +113,8 @@ final class PaperTrackPlane {
             sinceCheck++;
             lastUs = timeUs;
         }
-        if (someoneIsBest()) {
+        // without live events there are no cells of which a share could be hit
+        if (head != tail && someoneIsBest()) {
             recentre();
         }
         return belongs;

@@ -225,4 +225,15 @@ public class PaperTrackPlaneTest {
         assertEquals(List.of(10, 5, 27, 6), List.of(a.minX, a.minY, a.maxX, a.maxY));
         assertTrue(a.offer(27, 6, 200));
     }
+
+    @Test
+    public void planeWhoseEventsHaveAllLeftKeepsItsVelocityAndBox() {
+        // a hit, then an event after the end of all live ones: there are no cells of which a share could be hit
+        PaperTrackPlane plane = stillRow(P.withMaxLifetimeUs(SECOND), 8);
+        assertTrue(plane.offer(17, 5, 10));
+        assertFalse(plane.offer(30, 5, 3 * SECOND));
+        assertEquals(0, plane.live());
+        assertEquals(2, plane.perturbationDeg(), 0);
+        assertEquals(List.of(10, 5, 17, 5), List.of(plane.minX, plane.minY, plane.maxX, plane.maxY));
+    }
 }
