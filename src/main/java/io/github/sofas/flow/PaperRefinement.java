@@ -10,6 +10,9 @@ import java.util.Arrays;
  * by a side or a corner.
  */
 final class PaperRefinement {
+    /** Steepest projection: 57 times the velocity scale. */
+    static final double STEEPEST_DEG = 89;
+
     private final SofasParameters p;
     private final int n;
 
@@ -57,6 +60,11 @@ final class PaperRefinement {
         members = size;
     }
 
+    /** An angle kept short of the right one: there velocity is infinite, and beyond it points backwards. */
+    static double limited(double angleDeg) {
+        return Math.max(-STEEPEST_DEG, Math.min(STEEPEST_DEG, angleDeg));
+    }
+
     /** Runs the cycles from projection (i, j) of the widest range. */
     void refine(int i, int j) {
         double range = p.rangeDeg();
@@ -71,8 +79,8 @@ final class PaperRefinement {
             double slowest = 0;
             for (int b = 0; b < n; b++) {
                 for (int a = 0; a < n; a++) {
-                    double ax = centreX + SofasParameters.angleAt(a, n, range);
-                    double ay = centreY + SofasParameters.angleAt(b, n, range);
+                    double ax = limited(centreX + SofasParameters.angleAt(a, n, range));
+                    double ay = limited(centreY + SofasParameters.angleAt(b, n, range));
                     double vx = p.velocityAt(ax);
                     double vy = p.velocityAt(ay);
                     long metric = project(vx, vy);

@@ -186,12 +186,11 @@ final class PaperTrackPlane {
     /** Sets the velocity and projects the live events anew, seen from the newest one's time. */
     private void centre(double newAngleX, double newAngleY) {
         empty();
-        double limit = 89;
-        angleX = Math.max(-limit, Math.min(limit, newAngleX));
-        angleY = Math.max(-limit, Math.min(limit, newAngleY));
+        angleX = PaperRefinement.limited(newAngleX);
+        angleY = PaperRefinement.limited(newAngleY);
         for (int k = 0; k < cell.length; k++) {
-            fixedVx[k] = Projection.fixed(p.velocityAt(angleX + (k % SIDE - 1) * h));
-            fixedVy[k] = Projection.fixed(p.velocityAt(angleY + (k / SIDE - 1) * h));
+            fixedVx[k] = Projection.fixed(p.velocityAt(PaperRefinement.limited(angleX + (k % SIDE - 1) * h)));
+            fixedVy[k] = Projection.fixed(p.velocityAt(PaperRefinement.limited(angleY + (k / SIDE - 1) * h)));
         }
         double vx = p.velocityAt(angleX);
         double vy = p.velocityAt(angleY);

@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.PlainPlane.Event;
 import java.util.ArrayList;
@@ -125,5 +126,21 @@ public class PaperRefinementTest {
         PaperRefinement structure = refined(P.withCycles(2), picture("3111"), 5, 4);
         assertEquals(20 - 4 * 20.0 / 9, structure.angleX(), 1e-9);
         assertEquals(0, structure.angleY(), 0);
+    }
+
+    @Test
+    public void refinedAngleStaysShortOfTheRightAngle() {
+        // A block of four columns moves left at 850 px/s, which is what 96.7 degrees would be. From the last of 31
+        // projections, 87.1 degrees, a range of 20 degrees reaches 96.8: infinitely fast to the right is no way to
+        // the left.
+        List<Event> events = new ArrayList<>();
+        for (int k = 0; k < 20; k++) {
+            for (int x = 0; x < 4; x++) {
+                events.add(new Event(35 - k + x, 5, k * 1176L, 1));
+            }
+        }
+        events.add(new Event(16, 5, 19 * 1176L, 1));
+        PaperRefinement structure = refined(P.withFlowProjections(31).withCycles(2), events, 30, 15);
+        assertTrue("angle " + structure.angleX(), structure.angleX() > 70 && structure.angleX() <= 89);
     }
 }

@@ -236,4 +236,23 @@ public class PaperTrackPlaneTest {
         assertEquals(2, plane.perturbationDeg(), 0);
         assertEquals(List.of(10, 5, 17, 5), List.of(plane.minX, plane.minY, plane.maxX, plane.maxY));
     }
+
+    @Test
+    public void neighbourOfASteepProjectionStaysShortOfTheRightAngle() {
+        // 31 projections over 180 degrees: the last at 87.097 degrees, 1,972 px/s, h = 5.806. The neighbour to the
+        // right is kept at 89 degrees, 5,729 px/s; at 92.9 it would move left. Ten dots at 1,000 us, and the same 800
+        // us earlier, 1.58 px to the left: the centre sees ten cells, the neighbour the earlier ones 4.58 px to the
+        // left of where it expects them, 5 - 2 = 3 cells beyond: 13.
+        List<Event> events = new ArrayList<>();
+        for (long t = 200; t <= 1000; t += 800) {
+            for (int i = 0; i < 10; i++) {
+                events.add(new Event((t == 200 ? 18 : 20) + i, 5, t, 1));
+            }
+        }
+        events.add(new Event(20, 5, 1000, 1));
+        PaperTrackPlane plane = started(P.withFlowProjections(31).withRangeDeg(180), events, 30, 15);
+        assertEquals(21, plane.live());
+        assertEquals(10, plane.cells(1, 1));
+        assertEquals(13, plane.cells(2, 1));
+    }
 }
