@@ -8,6 +8,12 @@ import java.util.Arrays;
  * Plane).
  */
 final class PaperFlowPlane {
+    /**
+     * Longest side of an accumulator. Parameters that let live events travel farther than that fold the plane: cells
+     * that far apart then count as one, which costs a little noise, where memory would grow without bounds.
+     */
+    private static final int LONGEST_SIDE = 4096;
+
     private final SofasParameters p;
     private final int n;
     private final int[] vx;
@@ -47,8 +53,8 @@ final class PaperFlowPlane {
                 vx[k] = Projection.fixed(p.velocityAt(SofasParameters.angleAt(i, n, p.rangeDeg())));
                 vy[k] = Projection.fixed(p.velocityAt(SofasParameters.angleAt(j, n, p.rangeDeg())));
                 // a torus that no two live events of different cells share a cell of
-                int sizeX = powerOfTwo(width + 2 + Math.abs(Projection.travelled(vx[k], p.lifespanUs())));
-                int sizeY = powerOfTwo(height + 2 + Math.abs(Projection.travelled(vy[k], p.lifespanUs())));
+                int sizeX = side(width + 2 + Math.abs(Projection.travelled(vx[k], p.lifespanUs())));
+                int sizeY = side(height + 2 + Math.abs(Projection.travelled(vy[k], p.lifespanUs())));
                 maskX[k] = sizeX - 1;
                 maskY[k] = sizeY - 1;
                 shift[k] = Integer.numberOfTrailingZeros(sizeX);
@@ -59,8 +65,13 @@ final class PaperFlowPlane {
         refinement = new PaperRefinement(p);
     }
 
-    private static int powerOfTwo(int least) {
-        return Integer.highestOneBit(least - 1) << 1;
+    /** Side of a torus that is to hold at least so many cells: a power of two, and at most {@value #LONGEST_SIDE}. */
+    static int side(double least) {
+        int side = 2;
+        while (side < least && side < LONGEST_SIDE) {
+            side *= 2;
+        }
+        return side;
     }
 
     private static int[] slowestFirst(int[] vx, int[] vy) {

@@ -10,8 +10,6 @@ import java.util.Arrays;
 final class PaperTrackPlane {
     private static final int SIDE = 3;
     private static final int CENTRE = SIDE * SIDE / 2;
-    /** Room on the torus for the travel of live events and for the neighbours' lean. */
-    private static final int MARGIN = 16;
 
     private final SofasParameters p;
     private final int maskX;
@@ -60,13 +58,33 @@ final class PaperTrackPlane {
 
     PaperTrackPlane(int width, int height, SofasParameters p) {
         this.p = p;
-        int sizeX = Integer.highestOneBit(width + MARGIN - 1) << 1;
-        int sizeY = Integer.highestOneBit(height + MARGIN - 1) << 1;
+        // a torus that no two live events of different cells share a cell of
+        double room = Math.ceil(farthestTravel(p));
+        int sizeX = PaperFlowPlane.side(width + room);
+        int sizeY = PaperFlowPlane.side(height + room);
         maskX = sizeX - 1;
         maskY = sizeY - 1;
         shift = Integer.numberOfTrailingZeros(sizeX);
         accumulator = new short[SIDE * SIDE][sizeX * sizeY];
         raised = new short[sizeX * sizeY];
+    }
+
+    /**
+     * Longest way, along one axis, that a projection goes during the lifetime, in px. The lifetime follows from the
+     * centre's speed, and a neighbour may be faster by the greatest distance h: at angle a it goes
+     * L tan(a + h) / tan(a), or, below the speed whose lifetime is the longest, T tan(a + h). The first is greatest at
+     * one of its ends, the second where it meets the first.
+     */
+    private static double farthestTravel(SofasParameters p) {
+        double longestS = p.maxLifetimeUs() * 1e-6;
+        double slow = Math.toDegrees(Math.atan(p.lifetimePx() / longestS / p.velocityScalePxPerS()));
+        double steep = Math.max(slow, PaperRefinement.STEEPEST_DEG - p.maxPerturbationDeg());
+        return Math.max(travel(p, slow, longestS), travel(p, steep, longestS));
+    }
+
+    private static double travel(SofasParameters p, double angleDeg, double longestS) {
+        double lifetimeS = Math.min(longestS, p.lifetimePx() / p.velocityAt(angleDeg));
+        return p.velocityAt(PaperRefinement.limited(angleDeg + p.maxPerturbationDeg())) * lifetimeS;
     }
 
     /** Begins with the events and the velocity of a new structure. */

@@ -255,4 +255,15 @@ public class PaperTrackPlaneTest {
         assertEquals(10, plane.cells(1, 1));
         assertEquals(13, plane.cells(2, 1));
     }
+
+    @Test
+    public void eventFarFromTheContourMissesHoweverLongTheLifetime() {
+        // a lifetime of 100 px on a sensor of 40; at 3.492 px/s the plane has moved round(64.01) = 64 px after 18.33 s:
+        // dots at 5 to 14 are expected at 69 to 78, and the pixel where they were is not on the contour
+        PaperTrackPlane plane = stillDots(P.withMaxLifetimePx(100).withLifetimePx(100).withMaxLifetimeUs(60 * SECOND),
+            5, 5, 1);
+        assertFalse(plane.offer(5, 5, 18_330_000));
+        assertEquals(11, plane.live());
+        assertEquals(0, plane.events);
+    }
 }
