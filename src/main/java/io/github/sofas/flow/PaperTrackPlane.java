@@ -15,6 +15,7 @@ final class PaperTrackPlane {
     private final int maskX;
     private final int maskY;
     private final int shift;
+    private final int shiftY;
     /** Live events a cell, one accumulator a projection. */
     private final short[][] accumulator;
     private final int[] cells = new int[SIDE * SIDE];
@@ -22,8 +23,9 @@ final class PaperTrackPlane {
     private final int[] fixedVx = new int[SIDE * SIDE];
     private final int[] fixedVy = new int[SIDE * SIDE];
     private final int[] cell = new int[SIDE * SIDE];
-    /** What events that missed the contour have raised. */
+    /** What events that missed the contour have raised: how often, and which of the cells that fold to one. */
     private final short[] raised;
+    private final int[] raisedFold;
     private int[] raisedCells = new int[64];
     private int raisedCount;
 
@@ -65,8 +67,10 @@ final class PaperTrackPlane {
         maskX = sizeX - 1;
         maskY = sizeY - 1;
         shift = Integer.numberOfTrailingZeros(sizeX);
+        shiftY = Integer.numberOfTrailingZeros(sizeY);
         accumulator = new short[SIDE * SIDE][sizeX * sizeY];
         raised = new short[sizeX * sizeY];
+        raisedFold = new int[sizeX * sizeY];
     }
 
     /**
@@ -119,7 +123,7 @@ final class PaperTrackPlane {
             }
         }
         int c = cell[CENTRE];
-        boolean belongs = accumulator[CENTRE][c] > 0 || raise(c);
+        boolean belongs = accumulator[CENTRE][c] > 0 || raise(c, eventX, eventY, timeUs);
         if (belongs) {
             remember(eventX, eventY, timeUs);
             for (int k = 0; k < hits.length; k++) {
@@ -147,15 +151,29 @@ final class PaperTrackPlane {
         }
     }
 
-    /** Raises a cell that was missed; past the threshold it is contour. */
-    private boolean raise(int c) {
+    /**
+     * Raises a cell that was missed; past the threshold it is contour. Raised cells have no lifetime, so that a later
+     * one may fold to the same place. Time and velocity only lead on: the earlier one is then off the sensor for good,
+     * and the later one starts anew.
+     */
+    private boolean raise(int c, int eventX, int eventY, long timeUs) {
+        long dt = timeUs - referenceUs;
+        int foldX = eventX - Projection.travelled(fixedVx[CENTRE], dt) >> shift;
+        int foldY = eventY - Projection.travelled(fixedVy[CENTRE], dt) >> shiftY;
+        int fold = foldX << 16 | foldY & 0xffff;
         if (raised[c] == 0) {
             if (raisedCount == raisedCells.length) {
                 raisedCells = Arrays.copyOf(raisedCells, 2 * raisedCount);
             }
             raisedCells[raisedCount++] = c;
+        } else if (raisedFold[c] != fold) {
+            raised[c] = 0;
         }
-        return ++raised[c] > p.contourThreshold();
+        raisedFold[c] = fold;
+        if (raised[c] <= p.contourThreshold()) {
+            raised[c]++;
+        }
+        return raised[c] > p.contourThreshold();
     }
 
     /**

@@ -266,4 +266,13 @@ public class PaperTrackPlaneTest {
         assertEquals(11, plane.live());
         assertEquals(0, plane.events);
     }
+
+    @Test
+    public void missesOfOnePixelAtDifferentTimesRaiseDifferentCells() {
+        // two misses at time 0, and a third when the plane has moved on by round(64.01) = 64 px: another cell
+        PaperTrackPlane plane = stillDots(P, 5, 5, 1);
+        assertFalse(plane.offer(30, 20, 0));
+        assertFalse(plane.offer(30, 20, 0));
+        assertFalse(plane.offer(30, 20, 18_330_000));
+    }
 }
