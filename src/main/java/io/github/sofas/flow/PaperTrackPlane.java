@@ -105,7 +105,8 @@ final class PaperTrackPlane {
         lastUs = firstUs;
         checkedUs = firstUs;
         // the spacing of the last refining cycle
-        h = p.rangeDeg() / Math.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
+        double spacing = p.rangeDeg() / Math.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
+        h = Math.min(p.maxPerturbationDeg(), Math.max(p.minPerturbationDeg(), spacing));
         centre(structure.angleX(), structure.angleY());
     }
 

@@ -275,4 +275,12 @@ public class PaperTrackPlaneTest {
         assertFalse(plane.offer(30, 20, 0));
         assertFalse(plane.offer(30, 20, 18_330_000));
     }
+
+    @Test
+    public void distanceStartsWithinItsBounds() {
+        // the spacing of the last cycle is 6 / 3 = 2 degrees
+        assertEquals(2, stillRow(P, 8).perturbationDeg(), 0);
+        assertEquals(1, stillRow(P.withMaxPerturbationDeg(1), 8).perturbationDeg(), 0);
+        assertEquals(3, stillRow(P.withMinPerturbationDeg(3), 8).perturbationDeg(), 0);
+    }
 }

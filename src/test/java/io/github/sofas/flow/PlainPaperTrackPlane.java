@@ -49,7 +49,8 @@ final class PlainPaperTrackPlane {
         firstUs = newestUs;
         lastUs = newestUs;
         checkedUs = newestUs;
-        h = p.rangeDeg() / Math.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
+        double spacing = p.rangeDeg() / Math.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
+        h = Math.min(p.maxPerturbationDeg(), Math.max(p.minPerturbationDeg(), spacing));
         centre(angleX, angleY);
     }
 
