@@ -172,7 +172,7 @@ public class PaperTrackPlaneTest {
 
     @Test
     public void planeWithFewerEventsThanItsShareOfCellsALifetimeIsStarved() {
-        // 8 cells, share 0.25: 2 events a lifetime of 1 s are enough, 1 is not; before a lifetime has passed nobody asks
+        // 8 cells, share 0.25: 2 events in a lifetime of 1 s do, 1 is not; and nobody asks before a lifetime is over
         SofasParameters p = P.withMinShare(0.25).withMaxLifetimeUs(SECOND);
         PaperTrackPlane fed = stillRow(p, 8);
         fed.offer(10, 5, 100);
