@@ -2,469 +2,319 @@ package io.github.sofas.flow;
 
 import java.util.Arrays;
 
-/** Searches the events that no track plane takes for a velocity that many of them share. */
+/**
+ * The flow plane (paper, section Flow Plane): projections of the events that no track plane takes, each with an
+ * accumulator of signed votes and its metric, kept incrementally.
+ *
+ * <p>Ours: the n x n projections are n speeds, evenly spaced in logarithm, by n directions; each holds the events of
+ * the time in which its own velocity travels a number of pixels, so that slow and fast structures are looked for at
+ * once and on equal terms; and cells are 2 x 2 px, which makes neighbouring velocities overlap and lets an accumulator
+ * stay in the first-level cache. Events are added in blocks, projection by projection, for the same reason.
+ */
 final class FlowPlane {
+    /** Most events of a block, and its longest time: how late a structure may be found. */
     private static final int BLOCK = 256;
-    private static final int CELL_BITS = 9; // cells of 2 px, positions in 1/256 px
+    private static final long BLOCK_US = 2_000;
+    /** Positions are in 1/256 px, cells 512 of those. */
+    private static final int POSITION_BITS = 8;
+    private static final int CELL_BITS = POSITION_BITS + 1;
+    private static final int SHIFT = Projection.BITS - POSITION_BITS;
 
-    /** A structure found. */
-    interface Found {
-        void structure(FlowPlane plane, int[] members, int n, MetricFit fit);
-    }
+    private final int n;
+    private final double[] speed;
+    private final long[] windowUs;
+    private final int[] vx;
+    private final int[] vy;
+    // accumulators are tori larger than the sensor and the travel, so that live events never meet across the seam
+    private final int maskX;
+    private final int maskY;
+    private final int rowBits;
+    private final short[][] f;
+    private final long[] metric;
+    /** Events held by the projections of a speed. */
+    private final int[] count;
+    /** Number of the oldest event held by the projections of a speed. */
+    private final int[] oldest;
 
-    final SofasParameters p;
-    final int n;
-    final int dimX;
-    final int dimY;
-    final int shiftX;
-    final int[] vxQ;
-    final int[] vyQ;
-    final double[] speed;
-    final long[] windowUs;
-    final short[][] acc;
-    final long[] metric;
-    final int[] count; // events in the window of a speed
-    final int[] from; // oldest event in the window of a speed
-    final int[] settledTo;
-
-    long[] time;
-    short[] ex;
-    short[] ey;
-    byte[] sign; // 0 once taken
-    int mask;
-    int head;
-    int settled;
-    long epoch;
-    boolean started;
-    long blockStart;
-
-    private final int[] bx = new int[BLOCK];
-    private final int[] by = new int[BLOCK];
-    private final long[] bt = new long[BLOCK];
-    private final int[] bs = new int[BLOCK];
-
-    // search
-    private final long[] refusedUntil;
+    // events by number, modulo the capacity
+    private long[] timeUs = new long[1 << 14];
+    private short[] x = new short[1 << 14];
+    private short[] y = new short[1 << 14];
+    /** +1, -1, or 0 once taken out. */
+    private byte[] sign = new byte[1 << 14];
+    private int mask = timeUs.length - 1;
+    private int head;
+    private int settled;
+    private long epochUs;
+    private long blockStartUs;
     private long total;
-    private long nextSearch;
-    private final int[] label;
-    private int[] queue;
-    private int[] occupied;
-    private int[] members = new int[4096];
-    final MetricFit fit;
-    double foundVx;
-    double foundVy;
-    int attempts;
-    int successes;
 
-    FlowPlane(int width, int height, SofasParameters p, MetricFit fit) {
-        this.p = p;
-        this.fit = fit;
+    // a block, gathered
+    private final int[] blockX = new int[BLOCK];
+    private final int[] blockY = new int[BLOCK];
+    private final long[] blockUs = new long[BLOCK];
+    private final int[] blockSign = new int[BLOCK];
+
+    FlowPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         n = p.flowProjections();
-        int cw = width / 2 + (int) p.flowTravelPx() / 2 + 3;
-        int ch = height / 2 + (int) p.flowTravelPx() / 2 + 3;
-        dimX = Integer.highestOneBit(cw - 1) << 1;
-        dimY = Integer.highestOneBit(ch - 1) << 1;
-        shiftX = Integer.numberOfTrailingZeros(dimX);
-        vxQ = new int[n * n];
-        vyQ = new int[n * n];
+        int sizeX = powerOfTwo(sensorWidth / 2 + (int) p.flowTravelPx() / 2 + 3);
+        int sizeY = powerOfTwo(sensorHeight / 2 + (int) p.flowTravelPx() / 2 + 3);
+        maskX = sizeX - 1;
+        maskY = sizeY - 1;
+        rowBits = Integer.numberOfTrailingZeros(sizeX);
         speed = new double[n];
         windowUs = new long[n];
-        acc = new short[n * n][dimX * dimY];
+        vx = new int[n * n];
+        vy = new int[n * n];
+        f = new short[n * n][sizeX * sizeY];
         metric = new long[n * n];
         count = new int[n];
-        from = new int[n];
-        settledTo = new int[n];
+        oldest = new int[n];
+        double range = p.fastestPxPerS() / p.slowestPxPerS();
         for (int i = 0; i < n; i++) {
-            speed[i] = p.slowestPxPerS() * Math.pow(p.fastestPxPerS() / p.slowestPxPerS(), i / (n - 1.0));
-            windowUs[i] = Math.min(p.lifespanUs(), (long) (p.flowTravelPx() / speed[i] * 1e6));
+            speed[i] = p.slowestPxPerS() * Math.pow(range, i / (n - 1.0));
+            windowUs[i] = (long) Math.min(p.lifespanUs(), p.flowTravelPx() / speed[i] * 1e6);
             for (int j = 0; j < n; j++) {
-                double a = 2 * Math.PI * (j + 0.5 * (i & 1)) / n;
-                vxQ[i * n + j] = (int) Math.round(speed[i] * Math.cos(a) * 256 / 1e6 * (1 << 20));
-                vyQ[i * n + j] = (int) Math.round(speed[i] * Math.sin(a) * 256 / 1e6 * (1 << 20));
+                // every other ring is turned by half a step, to fill the gaps
+                double angle = 2 * Math.PI * (j + 0.5 * (i & 1)) / n;
+                vx[i * n + j] = Projection.fixed(speed[i] * Math.cos(angle));
+                vy[i * n + j] = Projection.fixed(speed[i] * Math.sin(angle));
             }
         }
-        int cap = 1 << 14;
-        time = new long[cap];
-        ex = new short[cap];
-        ey = new short[cap];
-        sign = new byte[cap];
-        mask = cap - 1;
-        refusedUntil = new long[n * n];
-        label = new int[dimX * dimY];
-        queue = new int[dimX * dimY];
-        occupied = new int[dimX * dimY];
     }
 
-    void add(int x, int y, long t, int s) {
-        if (!started) {
-            started = true;
-            epoch = t;
-            blockStart = t;
+    private static int powerOfTwo(int least) {
+        return Integer.highestOneBit(least - 1) << 1;
+    }
+
+    /** Adds an event to the block. */
+    void add(int eventX, int eventY, long eventUs, int polarity) {
+        if (total == 0 && head == settled) {
+            epochUs = eventUs;
         }
         if (head == settled) {
-            blockStart = t;
+            blockStartUs = eventUs;
         }
-        int oldest = from[0];
-        if (head - oldest > mask) {
+        if (head - oldest[0] > mask) {
             grow();
         }
         int i = head++ & mask;
-        time[i] = t;
-        ex[i] = (short) x;
-        ey[i] = (short) y;
-        sign[i] = (byte) s;
-    }
-
-    boolean blockFull(long now) {
-        return head - settled >= BLOCK || head != settled && now - blockStart > 2000;
+        timeUs[i] = eventUs;
+        x[i] = (short) eventX;
+        y[i] = (short) eventY;
+        sign[i] = (byte) polarity;
     }
 
     private void grow() {
-        int oldCap = mask + 1;
-        int cap = oldCap * 2;
-        int newMask = cap - 1;
-        long[] t2 = new long[cap];
-        short[] x2 = new short[cap];
-        short[] y2 = new short[cap];
-        byte[] s2 = new byte[cap];
-        for (int i = from[0]; i != head; i++) {
-            t2[i & newMask] = time[i & mask];
-            x2[i & newMask] = ex[i & mask];
-            y2[i & newMask] = ey[i & mask];
-            s2[i & newMask] = sign[i & mask];
+        int capacity = 2 * timeUs.length;
+        long[] newUs = new long[capacity];
+        short[] newX = new short[capacity];
+        short[] newY = new short[capacity];
+        byte[] newSign = new byte[capacity];
+        for (int i = oldest[0]; i != head; i++) {
+            int from = i & mask;
+            int to = i & capacity - 1;
+            newUs[to] = timeUs[from];
+            newX[to] = x[from];
+            newY[to] = y[from];
+            newSign[to] = sign[from];
         }
-        time = t2;
-        ex = x2;
-        ey = y2;
-        sign = s2;
-        mask = newMask;
+        timeUs = newUs;
+        x = newX;
+        y = newY;
+        sign = newSign;
+        mask = capacity - 1;
     }
 
-    private int cellOf(int k, int i) {
-        long dt = time[i] - epoch;
-        int cx = (int) ((((long) ex[i] << 8) - ((vxQ[k] * dt) >> 20)) >> CELL_BITS) & dimX - 1;
-        int cy = (int) ((((long) ey[i] << 8) - ((vyQ[k] * dt) >> 20)) >> CELL_BITS) & dimY - 1;
-        return cy << shiftX | cx;
+    /** Whether the block is to be settled. */
+    boolean isBlockFull(long nowUs) {
+        return head - settled == BLOCK || head != settled && nowUs - blockStartUs > BLOCK_US;
     }
 
-    /** Projects the block of new events and lets the old ones go. */
-    void settle(long now) {
-        int newHead = head;
-        if (newHead != settled) {
-            int b = gather(settled, newHead);
+    /** Projects the events of the block, and lets those go that each projection has held long enough. */
+    void settle(long nowUs) {
+        int size = gather(settled, head);
+        for (int k = 0; k < n * n; k++) {
+            metric[k] += vote(k, size, 1);
+        }
+        for (int i = 0; i < n; i++) {
+            count[i] += size;
+        }
+        total += head - settled;
+        settled = head;
+        for (int i = 0; i < n; i++) {
+            release(i, nowUs - windowUs[i]);
+        }
+    }
+
+    private void release(int ring, long limitUs) {
+        int from = oldest[ring];
+        while (from != settled && timeUs[from & mask] < limitUs) {
+            int end = from;
+            while (end != settled && end - from < BLOCK && timeUs[end & mask] < limitUs) {
+                end++;
+            }
+            int size = gather(from, end);
+            for (int k = ring * n; k < ring * n + n; k++) {
+                metric[k] += vote(k, size, -1);
+            }
+            count[ring] -= size;
+            from = end;
+        }
+        oldest[ring] = from;
+    }
+
+    private int gather(int from, int end) {
+        int size = 0;
+        for (int e = from; e != end; e++) {
+            int i = e & mask;
+            if (sign[i] != 0) {
+                blockX[size] = x[i] << POSITION_BITS;
+                blockY[size] = y[i] << POSITION_BITS;
+                blockUs[size] = timeUs[i] - epochUs;
+                blockSign[size] = sign[i];
+                size++;
+            }
+        }
+        return size;
+    }
+
+    /**
+     * Adds the gathered events to an accumulator, or takes them out again with weight -1.
+     *
+     * @return change of its metric: 2 w f + w² an event
+     */
+    private long vote(int k, int size, int weight) {
+        short[] cells = f[k];
+        long vxk = vx[k];
+        long vyk = vy[k];
+        int mx = maskX;
+        int my = maskY;
+        int bits = rowBits;
+        long change = size;
+        for (int i = 0; i < size; i++) {
+            long dt = blockUs[i];
+            int cx = (int) ((blockX[i] - (vxk * dt >> SHIFT)) >> CELL_BITS) & mx;
+            int cy = (int) ((blockY[i] - (vyk * dt >> SHIFT)) >> CELL_BITS) & my;
+            int c = cy << bits | cx;
+            int w = blockSign[i] * weight;
+            int before = cells[c];
+            change += 2 * w * before;
+            cells[c] = (short) (before + w);
+        }
+        // an event taken out changes the metric by -2 w f + w² of what it added: the same expression with -w
+        return change;
+    }
+
+    /** Takes events out of all projections, by number. */
+    void takeOut(int[] events, int size) {
+        for (int a = 0; a < size; a++) {
+            if (gather(events[a], events[a] + 1) == 0) {
+                continue;
+            }
             for (int i = 0; i < n; i++) {
-                for (int j = 0; j < n; j++) {
-                    metric[i * n + j] += addAll(i * n + j, b);
-                }
-                count[i] += b;
-            }
-            total += newHead - settled;
-            settled = newHead;
-        }
-        for (int i = 0; i < n; i++) {
-            long limit = now - windowUs[i];
-            int a = from[i];
-            while (a != settled && time[a & mask] < limit) {
-                int e = a;
-                int stop = a + BLOCK;
-                while (e != settled && e != stop && time[e & mask] < limit) {
-                    e++;
-                }
-                int b = gather(a, e);
-                for (int j = 0; j < n; j++) {
-                    metric[i * n + j] += removeAll(i * n + j, b);
-                }
-                count[i] -= b;
-                a = e;
-            }
-            from[i] = a;
-        }
-    }
-
-    private int gather(int a, int e) {
-        int b = 0;
-        for (int i = a; i != e; i++) {
-            int k = i & mask;
-            if (sign[k] != 0) {
-                bx[b] = ex[k] << 8;
-                by[b] = ey[k] << 8;
-                bt[b] = time[k] - epoch;
-                bs[b] = sign[k];
-                b++;
-            }
-        }
-        return b;
-    }
-
-    private long addAll(int k, int b) {
-        short[] f = acc[k];
-        long vx = vxQ[k];
-        long vy = vyQ[k];
-        int mx = dimX - 1;
-        int my = dimY - 1;
-        int sx = shiftX;
-        long m = b;
-        for (int i = 0; i < b; i++) {
-            long t = bt[i];
-            int cx = (int) ((bx[i] - ((vx * t) >> 20)) >> CELL_BITS) & mx;
-            int cy = (int) ((by[i] - ((vy * t) >> 20)) >> CELL_BITS) & my;
-            int c = cy << sx | cx;
-            int s = bs[i];
-            int v = f[c];
-            m += 2 * s * v;
-            f[c] = (short) (v + s);
-        }
-        return m;
-    }
-
-    private long removeAll(int k, int b) {
-        short[] f = acc[k];
-        long vx = vxQ[k];
-        long vy = vyQ[k];
-        int mx = dimX - 1;
-        int my = dimY - 1;
-        int sx = shiftX;
-        long m = b;
-        for (int i = 0; i < b; i++) {
-            long t = bt[i];
-            int cx = (int) ((bx[i] - ((vx * t) >> 20)) >> CELL_BITS) & mx;
-            int cy = (int) ((by[i] - ((vy * t) >> 20)) >> CELL_BITS) & my;
-            int c = cy << sx | cx;
-            int s = bs[i];
-            int v = f[c];
-            m -= 2 * s * v;
-            f[c] = (short) (v - s);
-        }
-        return m;
-    }
-
-    /** Takes events out of all projections. */
-    void take(int[] which, int count0) {
-        for (int a = 0; a < count0; a++) {
-            int i = which[a];
-            int k = i & mask;
-            if (sign[k] == 0) {
-                continue;
-            }
-            bx[0] = ex[k] << 8;
-            by[0] = ey[k] << 8;
-            bt[0] = time[k] - epoch;
-            bs[0] = sign[k];
-            for (int s = 0; s < n; s++) {
-                if (i - from[s] >= 0) {
-                    for (int j = 0; j < n; j++) {
-                        metric[s * n + j] += removeAll(s * n + j, 1);
+                if (events[a] - oldest[i] >= 0) {
+                    for (int k = i * n; k < i * n + n; k++) {
+                        metric[k] += vote(k, 1, -1);
                     }
-                    count[s]--;
+                    count[i]--;
                 }
             }
-            sign[k] = 0;
+            sign[events[a] & mask] = 0;
         }
     }
 
-    /** Looks for structures; each one found is handed over and its events taken out. */
-    void search(long now, Found found) {
-        if (total < nextSearch) {
-            return;
-        }
-        nextSearch = total + 128;
-        int best = -1;
-        double bestRate = 0;
-        double cells = (double) (dimX * dimY);
-        for (int i = 0; i < n; i++) {
-            int ni = count[i];
-            if (ni < p.minEvents()) {
-                continue;
-            }
-            double chance = 6 * ni * Math.sqrt(2 / cells);
-            for (int j = 0; j < n; j++) {
-                int k = i * n + j;
-                double excess = metric[k] - ni;
-                if (excess < chance || excess < p.evidence() * p.minEvents() || total < refusedUntil[k]) {
-                    continue;
-                }
-                double rate = excess * speed[i];
-                if (rate > bestRate) {
-                    bestRate = rate;
-                    best = k;
-                }
-            }
-        }
-        if (best >= 0) {
-            attempts++;
-            if (extract(best, now, found)) {
-                successes++;
-                nextSearch = total;
-            } else {
-                refusedUntil[best] = total + Math.max(64, count[best / n] / 4);
-                nextSearch = total + Math.max(128, count[best / n] / 8);
-            }
-        }
+    /** Cell of an event in a projection. */
+    int cell(int k, int event) {
+        int i = event & mask;
+        long dt = timeUs[i] - epochUs;
+        int cx = (int) (((x[i] << POSITION_BITS) - (vx[k] * dt >> SHIFT)) >> CELL_BITS) & maskX;
+        int cy = (int) (((y[i] << POSITION_BITS) - (vy[k] * dt >> SHIFT)) >> CELL_BITS) & maskY;
+        return cy << rowBits | cx;
     }
 
-    private boolean extract(int k, long now, Found found) {
-        int ring = k / n;
-        short[] f = acc[k];
-        int begin = from[ring];
-        // threshold over occupied cells
-        long sum = 0;
-        long sq = 0;
-        int occ = 0;
-        for (int c = 0; c < f.length; c++) {
-            int v = Math.abs(f[c]);
-            if (v != 0) {
-                occ++;
-                sum += v;
-                sq += (long) v * v;
-            }
-        }
-        double mean = (double) sum / occ;
-        double sd = Math.sqrt(Math.max(0, (double) sq / occ - mean * mean));
-        int threshold = (int) Math.max(3, Math.ceil(mean + p.thresholdSd() * sd));
-        // flood fill from strong cells through occupied ones
-        int labels = 0;
-        int touched = 0;
-        for (int c = 0; c < f.length; c++) {
-            if (label[c] != 0 || Math.abs(f[c]) < threshold) {
-                continue;
-            }
-            labels++;
-            int q = touched;
-            queue[touched++] = c;
-            label[c] = labels;
-            while (q < touched) {
-                int d = queue[q++];
-                int x = d & dimX - 1;
-                int y = d >> shiftX;
-                for (int dy = -1; dy <= 1; dy++) {
-                    for (int dx = -1; dx <= 1; dx++) {
-                        int e = ((y + dy) & dimY - 1) << shiftX | (x + dx) & dimX - 1;
-                        if (label[e] == 0 && Math.abs(f[e]) >= 2) {
-                            label[e] = labels;
-                            queue[touched++] = e;
-                        }
-                    }
-                }
-            }
-        }
-        boolean any = false;
-        if (labels > 0) {
-            int[] size = new int[labels + 1];
-            for (int i = begin; i != settled; i++) {
-                if (sign[i & mask] != 0) {
-                    size[label[cellOf(k, i & mask)]]++;
-                }
-            }
-            for (int l = 1; l <= labels; l++) {
-                if (size[l] < p.minEvents()) {
-                    continue;
-                }
-                if (size[l] > members.length) {
-                    members = new int[size[l] * 2];
-                }
-                int m = 0;
-                for (int i = begin; i != settled; i++) {
-                    if (sign[i & mask] != 0 && label[cellOf(k, i & mask)] == l) {
-                        members[m++] = i;
-                    }
-                }
-                any |= piece(k, members, m, found);
-            }
-        }
-        for (int i = 0; i < touched; i++) {
-            label[queue[i]] = 0;
-        }
-        return any;
+    /** Projections along each axis. */
+    int n() {
+        return n;
     }
 
-    /** Checks one connected piece: its own best velocity, its travel and sharpness. */
-    private boolean piece(int k, int[] which, int m, Found found) {
-        long first = time[which[0] & mask];
-        long last = time[which[m - 1] & mask];
-        double window = (last - first) * 1e-6;
-        if (window <= 0) {
-            return false;
-        }
-        long ref = (first + last) >> 1;
-        fit.clear();
-        int want = Math.min(m, Math.min(fit.capacity(), 4 * p.sampleEvents()));
-        long step = ((long) m << 16) / want;
-        for (int a = 0; a < want; a++) {
-            int i = which[(int) (a * step >> 16)] & mask;
-            fit.add(ex[i], ey[i], (time[i] - ref) * 1e-6f, 0, 0, sign[i]);
-        }
-        double vx = vxQ[k] / 256.0 * 1e6 / (1 << 20);
-        double vy = vyQ[k] / 256.0 * 1e6 / (1 << 20);
-        climb(vx, vy, window);
-        double bestX = foundVx;
-        double bestY = foundVy;
-        double bestMetric = fit.metric;
-        // a straight edge slides along itself at any speed: the slowest of what is about as good is right
-        double l1 = larger(fit.lossXx, fit.lossXy, fit.lossYy);
-        double angle = 0.5 * Math.atan2(2 * fit.lossXy, fit.lossXx - fit.lossYy);
-        double ex1 = Math.cos(angle);
-        double ey1 = Math.sin(angle);
-        double across = bestX * ex1 + bestY * ey1;
-        double along = bestY * ex1 - bestX * ey1;
-        if (Math.abs(along) > 0.1 * Math.abs(across)) {
-            climb(across * ex1, across * ey1, window);
-            if (fit.metric < (1 - p.slowestWithin()) * bestMetric
-                    || Math.hypot(foundVx, foundVy) > Math.hypot(bestX, bestY)) {
-                climb(bestX, bestY, window);
-            }
-            l1 = larger(fit.lossXx, fit.lossXy, fit.lossYy);
-        }
-        // travel counts where it is seen: in the directions that would lose by standing still
-        double seen = fit.lossXx * foundVx * foundVx + 2 * fit.lossXy * foundVx * foundVy
-            + fit.lossYy * foundVy * foundVy;
-        double travel = Math.sqrt(Math.max(0, seen / l1)) * window;
-        double density = fit.metric / want * m / want;
-        if (!(travel > 0.6 * p.flowTravelPx()) || density < p.evidence()) {
-            return false;
-        }
-        found.structure(this, which, m, fit);
-        take(which, m);
-        return true;
+    /** Cells of an accumulator: columns in the low {@link #rowBits} bits of an index, rows above. */
+    int cells() {
+        return f[0].length;
     }
 
-    /** Climbs to the nearest top of the metric, from coarse to fine. */
-    private void climb(double vx0, double vy0, double window) {
-        double vx = vx0;
-        double vy = vy0;
-        double px = 2 / window;
-        fit.frame(2 * px);
-        for (int c = 0; c < 8; c++) {
-            fit.fit(vx, vy, p.flatSigmas());
-            vx += fit.stepX;
-            vy += fit.stepY;
-            if (c >= 2 && fit.steps < 0.3) {
-                break;
-            }
-            fit.frame(fit.metric, fit.lossXx, fit.lossXy, fit.lossYy, p.neighbourLoss(), p.minStepPx() * px,
-                p.maxStepPx() * px);
-        }
-        foundVx = vx;
-        foundVy = vy;
+    int rowBits() {
+        return rowBits;
     }
 
-    private static double larger(double xx, double xy, double yy) {
-        double d = (xx - yy) / 2;
-        return (xx + yy) / 2 + Math.sqrt(d * d + xy * xy);
+    /** Accumulator of a projection, read only. */
+    short[] accumulator(int k) {
+        return f[k];
+    }
+
+    long metric(int k) {
+        return metric[k];
+    }
+
+    /** Events held by the projections of a speed. */
+    int count(int ring) {
+        return count[ring];
+    }
+
+    double speed(int ring) {
+        return speed[ring];
+    }
+
+    /** Velocity of a projection in px/s. */
+    double vx(int k) {
+        return vx[k] * 1e6 / (1L << Projection.BITS);
+    }
+
+    double vy(int k) {
+        return vy[k] * 1e6 / (1L << Projection.BITS);
+    }
+
+    /** Number of the oldest event that the projections of a speed hold. */
+    int oldest(int ring) {
+        return oldest[ring];
+    }
+
+    /** Number after the newest event that is projected. */
+    int end() {
+        return settled;
+    }
+
+    /** How many events were ever added. */
+    long total() {
+        return total;
+    }
+
+    int x(int event) {
+        return x[event & mask];
+    }
+
+    int y(int event) {
+        return y[event & mask];
+    }
+
+    long timeUs(int event) {
+        return timeUs[event & mask];
+    }
+
+    /** +1 or -1; 0 once taken out. */
+    int sign(int event) {
+        return sign[event & mask];
     }
 
     void reset() {
-        for (short[] f : acc) {
-            Arrays.fill(f, (short) 0);
+        for (short[] cells : f) {
+            Arrays.fill(cells, (short) 0);
         }
         Arrays.fill(metric, 0);
         Arrays.fill(count, 0);
-        Arrays.fill(from, 0);
-        Arrays.fill(refusedUntil, 0);
+        Arrays.fill(oldest, 0);
         head = 0;
         settled = 0;
         total = 0;
-        nextSearch = 0;
-        started = false;
     }
 }

@@ -15,15 +15,18 @@ final class MetricFit {
     private static final int SUB_BITS = 4;
     private static final int MARGIN = 40;
 
-    // Sampled events, projected along the motion to be improved: position in 1/16 px, time from the reference in s,
-    // place from the centre of rotation in px, vote.
-    final int[] x16;
-    final int[] y16;
-    final float[] tau;
-    final float[] fromX;
-    final float[] fromY;
-    final byte[] vote;
-    int size;
+    /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
+    private static final double CHANGE_SIGMAS = 0.5;
+
+    // Sampled events, projected along the motion to be improved: position in parts of a cell, time from the reference
+    // in s, place from the centre of rotation in px, vote.
+    private final int[] placeX;
+    private final int[] placeY;
+    private final float[] tau;
+    private final float[] fromX;
+    private final float[] fromY;
+    private final byte[] vote;
+    private int size;
 
     /** Positions a pixel. */
     private final float scale;
@@ -35,34 +38,28 @@ final class MetricFit {
     private final float[] alongY;
     private final double[] m = new double[9];
 
-    /** Greatest of the metrics, in votes squared. */
-    double metric;
-    /** Loss of metric per (px/s)², symmetric: what is known of the velocity. */
-    double lossXx;
-    double lossXy;
-    double lossYy;
-    /** Step to the top in px/s. */
-    double stepX;
-    double stepY;
-    /** Whether the metric does not tell the velocity across the best known direction. */
-    boolean flat;
-    /** Length of the step in distances of projections. */
-    double steps;
-
     // frame of the projections: direction of the first axis, distances along both in px/s
     private double frameX = 1;
     private double frameY;
     private double h1;
     private double h2;
 
-    /** Step along one more parameter, and the loss of metric per its unit squared. */
-    double step;
-    double loss;
+    // what the last fit found
+    private double metric;
+    private double lossXx;
+    private double lossXy;
+    private double lossYy;
+    private double stepX;
+    private double stepY;
+    private double steps;
+    private boolean flat;
+    private double step;
+    private double loss;
 
     MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
         scale = (float) (SUB / cellPx);
-        x16 = new int[capacity];
-        y16 = new int[capacity];
+        placeX = new int[capacity];
+        placeY = new int[capacity];
         tau = new float[capacity];
         fromX = new float[capacity];
         fromY = new float[capacity];
@@ -75,10 +72,17 @@ final class MetricFit {
         f = new int[width * height];
     }
 
+    /** The most events that fit. */
     int capacity() {
-        return x16.length;
+        return placeX.length;
     }
 
+    /** How many events are fitted. */
+    int size() {
+        return size;
+    }
+
+    /** Forgets all events. */
     void clear() {
         size = 0;
     }
@@ -94,8 +98,8 @@ final class MetricFit {
      */
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
         int i = size++;
-        x16[i] = (int) (x * scale + (MARGIN * SUB + 0.5f));
-        y16[i] = (int) (y * scale + (MARGIN * SUB + 0.5f));
+        placeX[i] = (int) (x * scale + (MARGIN * SUB + 0.5f));
+        placeY[i] = (int) (y * scale + (MARGIN * SUB + 0.5f));
         tau[i] = tauS;
         fromX[i] = rx;
         fromY[i] = ry;
@@ -116,8 +120,8 @@ final class MetricFit {
         long sum = 0;
         int used = 0;
         for (int i = 0; i < size; i++) {
-            int px = x16[i] - (int) (sx * dx[i] + 32768.5f) + 32768;
-            int py = y16[i] - (int) (sy * dy[i] + 32768.5f) + 32768;
+            int px = placeX[i] - (int) (sx * dx[i] + 32768.5f) + 32768;
+            int py = placeY[i] - (int) (sy * dy[i] + 32768.5f) + 32768;
             // an event that leaves the plane meets no other
             if ((px | py) < 0 || px >= maxX || py >= maxY) {
                 continue;
@@ -234,6 +238,53 @@ final class MetricFit {
         lossXy = (laa - lbb) * frameX * frameY + lab * (frameX * frameX - frameY * frameY);
     }
 
+    /** Greatest of the nine metrics, in votes squared. */
+    double metric() {
+        return metric;
+    }
+
+    /** Loss of metric per (px/s)², an entry of a symmetric matrix: what is known of the velocity. */
+    double lossXx() {
+        return lossXx;
+    }
+
+    double lossXy() {
+        return lossXy;
+    }
+
+    double lossYy() {
+        return lossYy;
+    }
+
+    /** Step to the top in px/s. */
+    double stepX() {
+        return stepX;
+    }
+
+    double stepY() {
+        return stepY;
+    }
+
+    /** Length of the step in distances of projections. */
+    double steps() {
+        return steps;
+    }
+
+    /** Whether the metric does not tell the velocity across the best known direction. */
+    boolean isFlat() {
+        return flat;
+    }
+
+    /** Step along the one parameter fitted last, in its unit. */
+    double step() {
+        return step;
+    }
+
+    /** Loss of metric per unit squared of the parameter fitted last. */
+    double loss() {
+        return loss;
+    }
+
     /** Direction in which the velocity is known best, x of a unit vector; of the last fit. */
     double axisX() {
         return Math.cos(axis());
@@ -248,12 +299,23 @@ final class MetricFit {
         return 0.5 * Math.atan2(2 * lossXy, lossXx - lossYy);
     }
 
+    /** Loss of metric per (px/s)² along the best known direction. */
+    double bestLoss() {
+        return mean() + root();
+    }
+
     /** What is known across the best direction, as a share of what is known along it: 0 for a straight edge. */
     double flatness() {
-        double mean = (lossXx + lossYy) / 2;
+        return (mean() - root()) / Math.max(mean() + root(), Double.MIN_NORMAL);
+    }
+
+    private double mean() {
+        return (lossXx + lossYy) / 2;
+    }
+
+    private double root() {
         double dif = (lossXx - lossYy) / 2;
-        double root = Math.sqrt(dif * dif + lossXy * lossXy);
-        return (mean - root) / Math.max(mean + root, 1e-30);
+        return Math.sqrt(dif * dif + lossXy * lossXy);
     }
 
     private static double stepTo(double curvature, double gradient, double floor) {
@@ -264,32 +326,32 @@ final class MetricFit {
         return Math.max(-1.5, Math.min(1.5, -gradient / curvature));
     }
 
-    /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart. */
-    void fitAcceleration(double dirX, double dirY, double h, double sigmas) {
+    /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
+    void fitAcceleration(double dirX, double dirY, double h) {
         for (int i = 0; i < size; i++) {
             float half = 0.5f * tau[i] * tau[i];
             alongX[i] = (float) dirX * half;
             alongY[i] = (float) dirY * half;
         }
-        fitAlong(h, sigmas);
+        fitAlong(h);
     }
 
-    /** Fits the rotation with neighbours h rad/s apart; positive turns x towards y, clockwise as seen. */
-    void fitRotation(double h, double sigmas) {
+    /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
+    void fitRotation(double h) {
         for (int i = 0; i < size; i++) {
             alongX[i] = -fromY[i] * tau[i];
             alongY[i] = fromX[i] * tau[i];
         }
-        fitAlong(h, sigmas);
+        fitAlong(h);
     }
 
-    private void fitAlong(double h, double sigmas) {
+    private void fitAlong(double h) {
         float s = (float) (h * scale);
         double less = metric(alongX, -s, alongY, -s);
-        double here = metric(alongX, 0, alongY, 0);
+        double here = m[4];
         double more = metric(alongX, s, alongY, s);
         double curvature = less + more - 2 * here;
-        double floor = -2 * sigmas * Math.sqrt(Math.max(here, Math.max(less, more)));
+        double floor = -2 * CHANGE_SIGMAS * Math.sqrt(Math.max(here, Math.max(less, more)));
         step = stepTo(curvature, (more - less) / 2, floor) * h;
         loss = -Math.min(curvature, 0) / 2 / (h * h);
     }

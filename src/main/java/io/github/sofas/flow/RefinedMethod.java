@@ -6,45 +6,49 @@ import java.util.function.Consumer;
 
 /** The method of the {@code default} preset: the paper's nouns, made accurate and fast. */
 final class RefinedMethod implements Method {
-    private final TrackPlaneStack stack;
     private final FlowPlane flowPlane;
-    private float vx;
-    private float vy;
+    private final StructureSearch search;
+    private final TrackPlaneStack stack;
+    private float vxPxPerS;
+    private float vyPxPerS;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
-        MetricFit fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), 1 << 15);
-        flowPlane = new FlowPlane(sensor.width(), sensor.height(), p, fit);
+        MetricFit fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), LiveEvents.CAPACITY);
+        flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
+        search = new StructureSearch(flowPlane, p, fit);
         stack = new TrackPlaneStack(sensor, p, fit, ended);
     }
 
     @Override
     public int label(int x, int y, long timeUs, int polarity) {
-        stack.advance(timeUs);
+        stack.check(timeUs);
         TrackPlane plane = stack.match(x, y, timeUs, polarity);
         int id = 0;
         if (plane != null) {
-            id = plane.id;
-            vx = plane.vxAt(x, y, timeUs);
-            vy = plane.vyAt(x, y, timeUs);
-            stack.assign(plane, x, y, timeUs, polarity);
+            id = plane.id();
+            vxPxPerS = plane.motion().vxAt(y, timeUs);
+            vyPxPerS = plane.motion().vyAt(x, timeUs);
+            stack.take(plane, x, y, timeUs, polarity);
         } else {
             flowPlane.add(x, y, timeUs, polarity);
         }
-        if (flowPlane.blockFull(timeUs)) {
+        if (flowPlane.isBlockFull(timeUs)) {
             flowPlane.settle(timeUs);
-            flowPlane.search(timeUs, stack);
+            if (!stack.isFull()) {
+                search.run(stack);
+            }
         }
         return id;
     }
 
     @Override
     public float vxPxPerS() {
-        return vx;
+        return vxPxPerS;
     }
 
     @Override
     public float vyPxPerS() {
-        return vy;
+        return vyPxPerS;
     }
 
     @Override
@@ -55,6 +59,7 @@ final class RefinedMethod implements Method {
     @Override
     public void reset() {
         flowPlane.reset();
+        search.reset();
         stack.reset();
     }
 }

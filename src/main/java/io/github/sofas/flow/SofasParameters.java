@@ -99,8 +99,8 @@ import java.lang.reflect.RecordComponent;
  *     paper gives no rule)
  * @param mergeLoss share of the metric that two track planes may lose by one common velocity, 0 to 1 (ours, because a
  *     straight edge knows only a part of its velocity; {@code default} only)
- * @param mergeGapShare gap between boxes that may merge, as a share of the larger side, 0 to 4 (ours, because the
- *     front and the back of an object are one segment; {@code default} only)
+ * @param mergeGapShare gap between boxes that may merge, as a share of the shorter of their longer sides, 0 to 4
+ *     (ours, because the front and the back of an object are one segment; {@code default} only)
  */
 public record SofasParameters(
     Preset preset,
@@ -211,7 +211,8 @@ public record SofasParameters(
     @Parameter(value = "share of the metric that two track planes may lose by one common velocity",
         min = 0, max = 1)
     double mergeLoss,
-    @Parameter(value = "gap between boxes that may merge, as a share of the larger side", min = 0, max = 4)
+    @Parameter(value = "gap between boxes that may merge, as a share of the shorter of their longer sides",
+        min = 0, max = 4)
     double mergeGapShare) {
 
     /** Which method. */
@@ -274,15 +275,15 @@ public record SofasParameters(
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
             0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.85, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05,
-            0.15, 64, 0.2, 0.15, 0.01, 0.75);
+            0.15, 64, 0.2, 0.15, 0.01, 0.8);
     }
 
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
-            15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 4, 16, 1_000_000, 0.15, 0.1,
+            15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
             0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.85, 0.25, 0.1, true, 1.5, 0.5, 0.1,
-            0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.75);
+            0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.8);
     }
 
     /** Velocity of a projection at an angle, in px/s. */

@@ -1,443 +1,237 @@
 package io.github.sofas.flow;
 
-/** One structure that is tracked. */
+/**
+ * A structure that is tracked (paper, section Track Plane): its live events, the contour that they draw, and its
+ * motion, which is measured again and again as the top of the metric of 3 x 3 projections.
+ *
+ * <p>Ours, because hits alone leave the velocity a tenth off: the metric is compared, not hits counted; neighbours are
+ * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration and a
+ * rotation, so that the velocity is that of now and not of the middle of the window.
+ */
 final class TrackPlane {
-    static final int MARGIN = 24;
-    private static final int HISTORY = 64;
+    /** Fewer events than this have no motion. */
+    private static final int LEAST_EVENTS = 12;
 
-    final SofasParameters p;
-    final int gw;
-    final int gh;
-    /** Live events a cell: ON in the low half, OFF in the high half. */
-    final int[] support;
+    private final SofasParameters p;
+    private LiveEvents live = new LiveEvents();
+    private final Contour contour;
+    private final Motion motion = new Motion();
 
-    // live events, a ring in order of time
-    final long[] time;
-    final short[] x;
-    final short[] y;
-    final byte[] sign;
-    /** Whether two planes claimed the event: it shows nothing of the velocity of either. */
-    final boolean[] shared;
-    final int[] cell;
-    final int mask;
-    int head;
-    int tail;
+    private int id;
+    private long firstUs;
+    private long lastUs;
+    private long events;
 
-    int id;
-    long firstUs;
-    long lastUs;
-    long events;
+    private double lifetimePx;
+    private long lifetimeUs;
+    private int sinceMeasured;
+    private long measuredUs;
+    private int measurements;
+    private double usualSize;
 
-    /** Reference time of contour and motion. */
-    long t0;
-    // motion at t0
-    double vx;
-    double vy;
-    double ax;
-    double ay;
-    double omega;
+    // what the last measurement knew of the velocity: metric, and its loss per (px/s)²
+    private double metric;
+    private double lossXx;
+    private double lossXy;
+    private double lossYy;
+    private boolean known;
+    /** Metric an event of all live events. */
+    private double density;
+    private double widen;
+    // changes of motion as measured, before what may be noise is left out
     private double rawAlong;
     private double rawAcross;
     private double rawOmega;
-    /** Centre of rotation, on the sensor at t0. */
-    double centreX;
-    double centreY;
-    private int vxQ;
-    private int vyQ;
-    /** Distance of the live events from the centre, root of the mean square, in px. */
-    double radius;
 
-    double meanSupport;
-    int threshold;
-    double lifetimePx;
-    long lifetimeUs;
-    double widen;
-    private int sharedInSample;
-    private boolean known;
-    int sinceFit;
-    long lastFitUs;
-    int fits;
-    // box of the contour on the grid
-    int minX;
-    int minY;
-    int maxX;
-    int maxY;
-    // knowledge of the velocity
-    double metric;
-    double lossXx;
-    double lossXy;
-    double lossYy;
-    /** Metric an event of all live events. */
-    double density;
-    double typicalLive;
-
-    TrackPlane(int width, int height, SofasParameters p) {
+    TrackPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         this.p = p;
-        gw = width + 2 * MARGIN;
-        gh = height + 2 * MARGIN;
-        support = new int[gw * gh];
-        int cap = 1 << 15;
-        time = new long[cap];
-        x = new short[cap];
-        y = new short[cap];
-        sign = new byte[cap];
-        shared = new boolean[cap];
-        cell = new int[cap];
-        mask = cap - 1;
+        contour = new Contour(sensorWidth, sensorHeight, p.contourShare());
     }
 
-    void start(int newId, long now, double v0x, double v0y) {
+    /** Begins with the velocity of a new structure; its events are to be added. */
+    void start(int newId, long nowUs, double vx, double vy) {
         id = newId;
-        firstUs = now;
-        lastUs = now;
+        firstUs = nowUs;
+        lastUs = nowUs;
         events = 0;
-        head = 0;
-        tail = 0;
-        vx = v0x;
-        vy = v0y;
-        ax = 0;
-        ay = 0;
-        omega = 0;
+        live.clear();
+        motion.set(nowUs, vx, vy);
+        contour.project(live, motion);
+        lifetimePx = p.lifetimePx();
+        lifetimeUs = lifetime();
+        sinceMeasured = 0;
+        measuredUs = nowUs;
+        measurements = 0;
+        usualSize = 0;
+        known = false;
+        density = 0;
+        widen = 1;
         rawAlong = 0;
         rawAcross = 0;
         rawOmega = 0;
-        radius = 0;
-        widen = 1;
-        density = 0;
-        lifetimePx = p.lifetimePx();
-        sinceFit = 0;
-        fits = 0;
-        meanSupport = 0;
-        threshold = 4;
-        typicalLive = 0;
-        lastFitUs = now;
-        lifetimeUs = lifetime();
-        t0 = now;
-        fix();
-        emptyBox();
     }
 
-    /** Speed of the contour, root of the mean square. */
-    double speed() {
-        return Math.sqrt(vx * vx + vy * vy + omega * omega * radius * radius);
+    int id() {
+        return id;
     }
 
+    int size() {
+        return live.size();
+    }
+
+    Motion motion() {
+        return motion;
+    }
+
+    /** Support of an event by the contour; at least {@link #threshold} where it belongs. */
+    int support(int x, int y, long timeUs, int polarity) {
+        return contour.support(x, y, timeUs, polarity);
+    }
+
+    int threshold() {
+        return contour.threshold();
+    }
+
+    long lifetimeUs() {
+        return lifetimeUs;
+    }
+
+    /** Adds an event of the structure's past, before its motion is measured for the first time. */
+    void addPast(int x, int y, long timeUs, int polarity) {
+        append(x, y, timeUs, polarity, false);
+    }
+
+    /**
+     * Takes an event that lies on the contour, and measures the motion when enough have come.
+     *
+     * @param shared whether another plane claims it too
+     */
+    void take(int x, int y, long timeUs, int polarity, boolean shared, MetricFit fit) {
+        append(x, y, timeUs, polarity, shared);
+        events++;
+        lastUs = timeUs;
+        sinceMeasured++;
+        if (sinceMeasured >= Math.max(40, Math.max(sample() / 4, live.size() / 12))) {
+            recentre(fit, timeUs);
+        }
+    }
+
+    private void append(int x, int y, long timeUs, int polarity, boolean shared) {
+        if (live.isFull()) {
+            dropOldest();
+        }
+        contour.add(live, live.add(x, y, timeUs, polarity, shared));
+    }
+
+    private void dropOldest() {
+        contour.remove(live, live.index(0));
+        live.removeOldest();
+    }
+
+    private void expire(long nowUs) {
+        long oldestUs = nowUs - lifetimeUs;
+        while (live.size() > 0 && live.oldestUs() < oldestUs) {
+            dropOldest();
+        }
+    }
+
+    /** Time in which the structure travels its lifetime's pixels. */
     private long lifetime() {
-        return (long) Math.min(p.maxLifetimeUs(), lifetimePx / Math.max(speed(), 1e-3) * 1e6);
+        return (long) Math.min(p.maxLifetimeUs(), lifetimePx / Math.max(motion.speed(contour.radius()), 1e-3) * 1e6);
     }
 
-    private void fix() {
-        vxQ = Projection.fixed(vx);
-        vyQ = Projection.fixed(vy);
+    /**
+     * Whether the plane got too few events: its live events are those of the time in which it travels a number of
+     * pixels, so that they stay as many while it moves, whatever its speed.
+     */
+    boolean isStarved(long nowUs) {
+        expire(nowUs);
+        usualSize = Math.max(live.size(), usualSize * 0.999 + live.size() * 0.001);
+        return live.size() < Math.max(LEAST_EVENTS, p.minShare() * usualSize);
     }
 
-    float vxAt(int ex, int ey, long t) {
-        double dt = (t - t0) * 1e-6;
-        return (float) (vx + ax * dt - omega * (ey - centreY - vy * dt));
-    }
-
-    float vyAt(int ex, int ey, long t) {
-        double dt = (t - t0) * 1e-6;
-        return (float) (vy + ay * dt + omega * (ex - centreX - vx * dt));
-    }
-
-    /** Support of an event by the contour, in live events of the neighbourhood. */
-    int supportOf(int ex, int ey, long t, int s) {
-        long dt = t - t0;
-        int cx = ex + MARGIN - Projection.travelled(vxQ, dt);
-        int cy = ey + MARGIN - Projection.travelled(vyQ, dt);
-        if (omega != 0) {
-            double turn = omega * dt * 1e-6;
-            double rx = cx - MARGIN - centreX;
-            double ry = cy - MARGIN - centreY;
-            cx += (int) Math.rint(turn * ry);
-            cy -= (int) Math.rint(turn * rx);
-        }
-        if (cx < minX || cx > maxX || cy < minY || cy > maxY) {
-            return 0;
-        }
-        int c = cy * gw + cx;
-        int[] g = support;
-        int sum = g[c - gw - 1] + g[c - gw] + g[c - gw + 1] + g[c - 1] + g[c] + g[c + 1]
-            + g[c + gw - 1] + g[c + gw] + g[c + gw + 1];
-        int on = sum & 0xffff;
-        int off = sum >>> 16;
-        return s > 0 ? 2 * on - off : 2 * off - on;
-    }
-
-    /** Adds an event at the newest end. */
-    void add(int ex, int ey, long t, int s, boolean claimedTwice) {
-        if (head - tail > mask) {
-            drop();
-        }
-        int i = head++ & mask;
-        time[i] = t;
-        x[i] = (short) ex;
-        y[i] = (short) ey;
-        sign[i] = (byte) s;
-        shared[i] = claimedTwice;
-        place(i);
-        lastUs = t;
-    }
-
-    private void place(int i) {
-        double dt = (time[i] - t0) * 1e-6;
-        double px = x[i] - (vx + 0.5 * ax * dt) * dt;
-        double py = y[i] - (vy + 0.5 * ay * dt) * dt;
-        if (omega != 0) {
-            double turn = omega * dt;
-            double rx = px - centreX;
-            double ry = py - centreY;
-            px += turn * ry - 0.5 * turn * turn * rx;
-            py -= turn * rx + 0.5 * turn * turn * ry;
-        }
-        int cx = (int) (px + (MARGIN + 0.5));
-        int cy = (int) (py + (MARGIN + 0.5));
-        if (cx < 1 || cy < 1 || cx >= gw - 1 || cy >= gh - 1) {
-            cell[i] = -1;
-            return;
-        }
-        int c = cy * gw + cx;
-        cell[i] = c;
-        support[c] += sign[i] > 0 ? 1 : 0x10000;
-        if (cx <= minX) {
-            minX = Math.max(1, cx - 1);
-        }
-        if (cx >= maxX) {
-            maxX = Math.min(gw - 2, cx + 1);
-        }
-        if (cy <= minY) {
-            minY = Math.max(1, cy - 1);
-        }
-        if (cy >= maxY) {
-            maxY = Math.min(gh - 2, cy + 1);
+    /** Measures the motion of a structure that gets few events and would else wait long. */
+    void measureIfLate(MetricFit fit, long nowUs) {
+        long since = nowUs - measuredUs;
+        if (sinceMeasured > 0 && since > 20_000 && since > lifetimeUs / 4) {
+            recentre(fit, nowUs);
         }
     }
 
-    private void emptyBox() {
-        minX = gw;
-        minY = gh;
-        maxX = 0;
-        maxY = 0;
-    }
-
-    private void drop() {
-        int i = tail++ & mask;
-        int c = cell[i];
-        if (c >= 0) {
-            support[c] -= sign[i] > 0 ? 1 : 0x10000;
-        }
-    }
-
-    void expire(long now) {
-        long oldest = now - lifetimeUs;
-        while (tail != head && time[tail & mask] < oldest) {
-            drop();
-        }
-    }
-
-    /** Longer side of the box of the contour, in px. */
-    int extent() {
-        return Math.max(maxX - minX, maxY - minY) - 2;
-    }
-
-    /** Whether the last measurement had a clear top. */
-    boolean isKnown() {
-        return known;
-    }
-
-    int live() {
-        return head - tail;
-    }
-
-    /** Moves the reference to now, and projects the live events anew. */
-    private void rebuild(long now) {
-        for (int i = tail; i != head; i++) {
-            int c = cell[i & mask];
-            if (c >= 0) {
-                support[c] = 0;
+    /** Measures the motion over the live events, and projects them anew along it. */
+    void recentre(MetricFit fit, long nowUs) {
+        expire(nowUs);
+        sinceMeasured = 0;
+        measuredUs = nowUs;
+        if (live.size() >= LEAST_EVENTS && nowUs - live.oldestUs() > 10) {
+            double half = (nowUs - live.oldestUs()) * 0.5e-6;
+            motion.moveReference((nowUs + live.oldestUs()) >> 1);
+            int shared = load(fit);
+            if (fit.size() >= LEAST_EVENTS) {
+                measure(fit, half, (double) shared / (shared + fit.size()));
             }
         }
-        double dt = (now - t0) * 1e-6;
-        centreX += (vx + 0.5 * ax * dt) * dt;
-        centreY += (vy + 0.5 * ay * dt) * dt;
-        vx += ax * dt;
-        vy += ay * dt;
-        t0 = now;
-        fix();
-        emptyBox();
-        for (int i = tail; i != head; i++) {
-            place(i & mask);
-        }
-        measureSupport();
-    }
-
-    private void measureSupport() {
-        long sum = 0;
-        int n = 0;
-        double sx = 0;
-        double sy = 0;
-        double sq = 0;
-        int stride = Math.max(1, live() / 256);
-        for (int i = tail; i < head; i += stride) {
-            int c = cell[i & mask];
-            if (c < 0) {
-                continue;
-            }
-            int s9 = 0;
-            for (int dy = -gw; dy <= gw; dy += gw) {
-                s9 += support[c + dy - 1] + support[c + dy] + support[c + dy + 1];
-            }
-            int on = s9 & 0xffff;
-            int off = s9 >>> 16;
-            sum += sign[i & mask] > 0 ? 2 * on - off : 2 * off - on;
-            int px = c % gw - MARGIN;
-            int py = c / gw - MARGIN;
-            sx += px;
-            sy += py;
-            sq += px * px + py * py;
-            n++;
-        }
-        meanSupport = n == 0 ? 0 : (double) sum / n;
-        threshold = Math.max(4, (int) (p.contourShare() * meanSupport));
-        if (n > 0) {
-            // the motion of the new centre is what the rotation about the old one gives it
-            double nx = sx / n;
-            double ny = sy / n;
-            vx -= omega * (ny - centreY);
-            vy += omega * (nx - centreX);
-            fix();
-            centreX = nx;
-            centreY = ny;
-            radius = Math.sqrt(Math.max(0, sq / n - nx * nx - ny * ny));
-        }
-    }
-
-    /** Forgets everything, leaving the grid empty for the next use. */
-    void clear() {
-        while (tail != head) {
-            drop();
-        }
+        motion.moveReference(nowUs);
+        contour.project(live, motion);
+        motion.moveCentre(contour.centreX(), contour.centreY());
+        lifetimeUs = lifetime();
+        expire(nowUs);
     }
 
     /**
      * How many live events a measurement needs: thinning them thins their meetings by the square, so that many events
      * that meet seldom are taken whole.
      */
-    int sample() {
-        int n = live();
+    private int sample() {
+        int n = live.size();
         int least = p.sampleEvents();
         return n <= least ? n : (int) Math.max(least, Math.min(n, n * p.sampleDensity() / Math.max(density, 1e-3)));
     }
 
-    /** Projects a sample of the live events along the motion to the reference time. */
-    private void load(MetricFit fit, long ref) {
+    /** Projects a sample of the live events to the motion's reference; returns how many of it were shared. */
+    private int load(MetricFit fit) {
         fit.clear();
-        int n = live();
         int want = sample();
-        long step = ((long) n << 16) / want;
-        long at = 0;
-        sharedInSample = 0;
-        double refS = (ref - t0) * 1e-6;
-        double cx = centreX + (vx + 0.5 * ax * refS) * refS;
-        double cy = centreY + (vy + 0.5 * ay * refS) * refS;
-        double mx = vx + ax * refS;
-        double my = vy + ay * refS;
-        for (int k = 0; k < want; k++, at += step) {
+        long stride = ((long) live.size() << 16) / want;
+        int shared = 0;
+        for (int k = 0; k < want; k++) {
             // anywhere within its share of the ring: an even stride would beat with periodic events
-            int i = (tail + (int) (at + (k * 0x9E3779B1L & 0xffff) * step / 0x10000 >> 16)) & mask;
-            if (shared[i]) {
-                sharedInSample++;
+            long place = k * stride + ((k * 0x9E3779B1L & 0xffff) * stride >> 16);
+            int i = live.index((int) (place >> 16));
+            if (live.shared[i]) {
+                shared++;
                 continue;
             }
-            double tau = (time[i] - ref) * 1e-6;
-            double px = x[i] - (mx + 0.5 * ax * tau) * tau;
-            double py = y[i] - (my + 0.5 * ay * tau) * tau;
-            double rx = px - cx;
-            double ry = py - cy;
-            if (omega != 0) {
-                double turn = omega * tau;
-                px += turn * ry - 0.5 * turn * turn * rx;
-                py -= turn * rx + 0.5 * turn * turn * ry;
-            }
-            fit.add((float) px, (float) py, (float) tau, (float) rx, (float) ry, sign[i]);
+            motion.project(live.x[i], live.y[i], live.timeUs[i]);
+            fit.add((float) motion.x, (float) motion.y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
+                (float) (motion.x - motion.centreX), (float) (motion.y - motion.centreY), live.sign[i]);
         }
+        return shared;
     }
 
-    /** Re-centres: measures the motion over the live events. */
-    void recentre(MetricFit fit, long now) {
-        expire(now);
-        sinceFit = 0;
-        lastFitUs = now;
-        int n = live();
-        if (n >= 12) {
-            long oldest = time[tail & mask];
-            double window = (now - oldest) * 1e-6;
-            if (window > 1e-5) {
-                long ref = (now + oldest) >> 1;
-                load(fit, ref);
-                if (fit.size >= 12) {
-                    measure(fit, window, n, ref);
-                }
-            }
-        }
-        rebuild(now);
-        lifetimeUs = lifetime();
-        expire(now);
-    }
-
-    private void measure(MetricFit fit, double window, int n, long ref) {
-        double half = window / 2;
-        double px = 1 / half;
-        if (fits == 0) {
+    /** Improves the motion, whose reference is the middle of the window. */
+    private void measure(MetricFit fit, double half, double crossing) {
+        double px = 1 / half; // velocity that shifts both ends of the window by one pixel
+        if (measurements == 0) {
             fit.frame(px);
         } else {
             fit.frame(metric, lossXx, lossXy, lossYy, p.neighbourLoss(), p.minStepPx() * px, p.maxStepPx() * px);
             fit.widen(widen);
         }
         fit.fit(0, 0, p.flatSigmas());
-        double sharp = Math.max(fit.lossXx, fit.lossYy) * px * px;
-        known = sharp > 0.01 * fit.metric;
         // in a thinned sample events meet by so much less
-        density = fit.metric / fit.size * n / fit.size;
-        metric = fit.metric;
-        lossXx = fit.lossXx;
-        lossXy = fit.lossXy;
-        lossYy = fit.lossYy;
-        // what is weakly known moves slowly: (L + S)^-1 L (v - v0), with a stiffness S the same all round
-        double crossing = (double) sharedInSample / (sharedInSample + fit.size);
-        double stiff = p.stiffness() * (1 + 10 * crossing) * metric / (px * px);
-        double sxx = lossXx + stiff;
-        double syy = lossYy + stiff;
-        double det = sxx * syy - lossXy * lossXy;
-        double rx = lossXx * fit.stepX + lossXy * fit.stepY;
-        double ry = lossXy * fit.stepX + lossYy * fit.stepY;
-        double stepX = fits == 0 ? fit.stepX : (syy * rx - lossXy * ry) / det;
-        double stepY = fits == 0 ? fit.stepY : (sxx * ry - lossXy * rx) / det;
-        widen = fit.steps > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
-        double moved = Math.hypot(stepX, stepY) / px;
-        vx += stepX;
-        vy += stepY;
-        if (fit.flat) {
-            // along a straight edge: back to the normal flow
-            double along = (vy * fit.axisX() - vx * fit.axisY()) * p.flatDecay();
-            vx += along * fit.axisY();
-            vy -= along * fit.axisX();
-        }
+        density = fit.metric() / fit.size() * live.size() / fit.size();
+        metric = fit.metric();
+        lossXx = fit.lossXx();
+        lossXy = fit.lossXy();
+        lossYy = fit.lossYy();
+        known = Math.max(lossXx, lossYy) * px * px > 0.01 * metric;
+        widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
+        double moved = step(fit, px, crossing) / px;
         if (crossing > p.maxShared()) {
-            rawAlong *= 0.8;
-            rawAcross *= 0.8;
-            rawOmega *= 0.8;
-            double keepX = ax * 0.2;
-            double keepY = ay * 0.2;
-            ax -= keepX;
-            ay -= keepY;
-            double since = (t0 - ref) * 1e-6;
-            vx -= keepX * since;
-            vy -= keepY * since;
-            omega *= 0.8;
-        } else if (fits >= 2 && moved < 1) {
-            measureChange(fit, half, (t0 - ref) * 1e-6);
+            forgetChange();
+        } else if (measurements >= 2 && moved < 1) {
+            measureChange(fit, half);
             double bend = Math.hypot(rawAlong, rawAcross) * half * half / 2;
             if (bend > p.maxBendPx()) {
                 lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
@@ -448,53 +242,185 @@ final class TrackPlane {
         if (moved > 3 * p.steadyPx()) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
         }
-        fits++;
+        measurements++;
     }
 
     /**
-     * Measures how the motion changes over the window: acceleration along and across the path, and rotation.
+     * Takes the step of the fit: (L + S)^-1 L of it, L the loss and S a stiffness the same all round, so that what is
+     * weakly known moves slowly. Along a straight edge, where nothing is known, back towards the normal flow.
      *
-     * @param half half of the window in s
-     * @param sinceMiddle time of the reference after the middle of the window, in s
+     * @return its length in px/s
      */
-    private void measureChange(MetricFit fit, double half, double sinceMiddle) {
-        double dirX = fit.axisX();
-        double dirY = fit.axisY();
-        double known = fit.flatness();
-        double unit = 2 / (half * half);
-        double unitPx = 1 / half;
-        double h = unit * p.changePx();
-        fit.fitAcceleration(dirX, dirY, h, 0.5);
-        double along = ax * dirX + ay * dirY + fit.step;
-        fit.fitAcceleration(-dirY, dirX, h, 0.5);
-        double across = ay * dirX - ax * dirY + fit.step;
+    private double step(MetricFit fit, double px, double crossing) {
+        double stepX = fit.stepX();
+        double stepY = fit.stepY();
+        if (measurements > 0) {
+            double stiff = p.stiffness() * (1 + 10 * crossing) * metric / (px * px);
+            double xx = lossXx + stiff;
+            double yy = lossYy + stiff;
+            double det = xx * yy - lossXy * lossXy;
+            double rx = lossXx * stepX + lossXy * stepY;
+            double ry = lossXy * stepX + lossYy * stepY;
+            stepX = (yy * rx - lossXy * ry) / det;
+            stepY = (xx * ry - lossXy * rx) / det;
+        }
+        motion.vx += stepX;
+        motion.vy += stepY;
+        if (fit.isFlat()) {
+            double along = (motion.vy * fit.axisX() - motion.vx * fit.axisY()) * p.flatDecay();
+            motion.vx += along * fit.axisY();
+            motion.vy -= along * fit.axisX();
+        }
+        return Math.hypot(stepX, stepY);
+    }
+
+    /**
+     * Measures how the motion changes over the window: acceleration along and across the axis that is known best, and
+     * rotation. The velocity at the reference, the middle of the window, stays.
+     */
+    private void measureChange(MetricFit fit, double half) {
+        double axisX = fit.axisX();
+        double axisY = fit.axisY();
+        double bestKnown = Math.max(lossXx, lossYy) / (half * half);
+        double acceleration = 2 / (half * half); // shifts both ends of the window by one pixel
+        double h = acceleration * p.changePx();
+        fit.fitAcceleration(axisX, axisY, h);
+        double along = motion.ax * axisX + motion.ay * axisY + fit.step();
         rawAlong += p.changeGain() * (along - rawAlong);
-        rawAcross += p.changeGain() * (across - rawAcross);
         // measured in the middle of the window, half of it ago: by now some of it is over
-        along = p.foresight() * believe(rawAlong, unit);
+        along = p.foresight() * believe(rawAlong, acceleration);
+        double flatness = fit.flatness();
+        fit.fitAcceleration(-axisY, axisX, h);
+        double across = motion.ay * axisX - motion.ax * axisY + fit.step();
+        rawAcross += p.changeGain() * (across - rawAcross);
         // along a straight edge nothing is known, of acceleration still less than of velocity
-        across = p.foresight() * believe(rawAcross, unit) * known / (known + p.flatChange());
-        double oldX = ax;
-        double oldY = ay;
-        ax = along * dirX - across * dirY;
-        ay = along * dirY + across * dirX;
-        // the velocity in the middle of the window stays
-        vx += (ax - oldX) * sinceMiddle;
-        vy += (ay - oldY) * sinceMiddle;
+        across = p.foresight() * believe(rawAcross, acceleration) * flatness / (flatness + p.flatChange());
+        motion.ax = along * axisX - across * axisY;
+        motion.ay = along * axisY + across * axisX;
+        double radius = contour.radius();
         if (p.rotation() && radius > 1) {
-            double perPx = 1 / (half * radius);
-            fit.fitRotation(perPx * p.changePx(), 0.5);
-            rawOmega += p.changeGain() * (omega + fit.step - rawOmega);
-            // nor is the rotation of a disc
-            double shown = fit.loss * perPx * perPx;
-            double best = Math.max(lossXx, lossYy) * unitPx * unitPx;
-            omega = believe(rawOmega, perPx) * shown / (shown + p.flatChange() * best);
+            double rotation = 1 / (half * radius); // shifts both ends by one pixel at the radius
+            fit.fitRotation(rotation * p.changePx());
+            rawOmega += p.changeGain() * (motion.omega + fit.step() - rawOmega);
+            // nor is the rotation of a disc known
+            double shown = fit.loss() * rotation * rotation;
+            motion.omega = believe(rawOmega, rotation) * shown / (shown + p.flatChange() * bestKnown);
         }
     }
 
-    /** A change that moves the end of the window by no more than the noise is none. */
+    /** A change that shifts the ends of the window by no more than the noise is none. */
     private double believe(double value, double perPx) {
         double px = value / perPx;
         return value * px * px / (px * px + p.bendPx() * p.bendPx());
+    }
+
+    /** While another structure crosses, the motion is held steady. */
+    private void forgetChange() {
+        rawAlong *= 0.8;
+        rawAcross *= 0.8;
+        rawOmega *= 0.8;
+        motion.ax *= 0.8;
+        motion.ay *= 0.8;
+        motion.omega *= 0.8;
+    }
+
+    /**
+     * Whether another plane describes the same structure: boxes that touch or nearly do, and one velocity that serves
+     * both with little loss of metric.
+     */
+    boolean describesSameAs(TrackPlane other, long nowUs) {
+        double gap = Math.max(4, p.mergeGapShare() * Math.min(contour.extent(), other.contour.extent()));
+        return isNear(other, nowUs, gap) && agrees(other) && other.agrees(this) && sharesVelocity(other);
+    }
+
+    private boolean isNear(TrackPlane other, long nowUs, double gap) {
+        double ax = travelX(nowUs);
+        double ay = travelY(nowUs);
+        double bx = other.travelX(nowUs);
+        double by = other.travelY(nowUs);
+        return contour.left() + ax <= other.contour.right() + bx + gap
+            && other.contour.left() + bx <= contour.right() + ax + gap
+            && contour.top() + ay <= other.contour.bottom() + by + gap
+            && other.contour.top() + by <= contour.bottom() + ay + gap;
+    }
+
+    /** Travel since the contour was projected. */
+    private double travelX(long nowUs) {
+        return contour.motion().vx * (nowUs - contour.motion().referenceUs) * 1e-6;
+    }
+
+    private double travelY(long nowUs) {
+        return contour.motion().vy * (nowUs - contour.motion().referenceUs) * 1e-6;
+    }
+
+    /** Whether the velocities agree along the axis that this plane knows best, and it knows that one well. */
+    private boolean agrees(TrackPlane other) {
+        double angle = 0.5 * Math.atan2(2 * lossXy, lossXx - lossYy);
+        double d = (motion.vx - other.motion.vx) * Math.cos(angle) + (motion.vy - other.motion.vy) * Math.sin(angle);
+        double speed = Math.max(motion.speed(contour.radius()), other.motion.speed(other.contour.radius()));
+        return known && Math.abs(d) < p.mergeVelocity() * speed;
+    }
+
+    private boolean sharesVelocity(TrackPlane b) {
+        // the velocity that serves both best, (L1 + L2)^-1 (L1 v1 + L2 v2), and what each loses by it
+        double xx = lossXx + b.lossXx;
+        double xy = lossXy + b.lossXy;
+        double yy = lossYy + b.lossYy;
+        double det = xx * yy - xy * xy;
+        if (!(det > 0)) {
+            return false;
+        }
+        double rx = lossXx * motion.vx + lossXy * motion.vy + b.lossXx * b.motion.vx + b.lossXy * b.motion.vy;
+        double ry = lossXy * motion.vx + lossYy * motion.vy + b.lossXy * b.motion.vx + b.lossYy * b.motion.vy;
+        double vx = (yy * rx - xy * ry) / det;
+        double vy = (xx * ry - xy * rx) / det;
+        return lossAt(vx, vy) < p.mergeLoss() * metric && b.lossAt(vx, vy) < p.mergeLoss() * b.metric;
+    }
+
+    private double lossAt(double vx, double vy) {
+        double dx = motion.vx - vx;
+        double dy = motion.vy - vy;
+        return lossXx * dx * dx + 2 * lossXy * dx * dy + lossYy * dy * dy;
+    }
+
+    /**
+     * Takes over the events of another plane, and measures the motion of both together.
+     *
+     * @param spare a ring to put them in
+     * @return the ring that this plane used until now
+     */
+    LiveEvents merge(TrackPlane other, LiveEvents spare, MetricFit fit, long nowUs) {
+        double mine = live.size();
+        double theirs = other.live.size();
+        motion.vx = (motion.vx * mine + other.motion.vx * theirs) / (mine + theirs);
+        motion.vy = (motion.vy * mine + other.motion.vy * theirs) / (mine + theirs);
+        spare.fillFrom(live, other.live);
+        contour.clear(live);
+        LiveEvents used = live;
+        live = spare;
+        contour.project(live, motion);
+        motion.moveCentre(contour.centreX(), contour.centreY());
+        events += other.events;
+        usualSize = live.size();
+        recentre(fit, nowUs);
+        return used;
+    }
+
+    /** Lets all events go, so that the plane can serve another structure. */
+    void clear() {
+        contour.clear(live);
+        live.clear();
+    }
+
+    /** What is known of the structure. */
+    Segment segment(int sensorWidth, int sensorHeight, Segment.Fate fate, int mergedInto) {
+        return new Segment(id, firstUs, lastUs, events, motion.vxAt((int) motion.centreY, motion.referenceUs),
+            motion.vyAt((int) motion.centreX, motion.referenceUs), clip(contour.left(), sensorWidth),
+            clip(contour.top(), sensorHeight), clip(contour.right(), sensorWidth),
+            clip(contour.bottom(), sensorHeight), fate, mergedInto);
+    }
+
+    private static int clip(int v, int size) {
+        return Math.max(0, Math.min(size - 1, v));
     }
 }

@@ -1,0 +1,211 @@
+package io.github.sofas.flow;
+
+/**
+ * The contour of a track plane: the cells that its live events fall on when projected to a reference time (paper,
+ * section Track Plane), in pixels of the sensor at that time, ON and OFF counted apart.
+ *
+ * <p>Ours: an event lies on the contour when the 3 x 3 cells around it hold enough live events of its polarity; those
+ * of the other polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge
+ * seldom fires both ways, while what merely flickers does.
+ */
+final class Contour {
+    /** Cells around the sensor, for what leaves it between two projections. */
+    private static final int MARGIN = 24;
+    private static final int ONE_ON = 1;
+    private static final int ONE_OFF = 1 << 16;
+    private static final int LEAST_SUPPORT = 4;
+
+    private final double share;
+    private final int width;
+    private final int height;
+    /** Live events a cell: ON in the low half, OFF in the high half. */
+    private final int[] grid;
+    private final Motion motion = new Motion();
+    private int fixedVx;
+    private int fixedVy;
+    // box of the occupied cells, a cell wider all round; beyond it there is no support
+    private int minX;
+    private int minY;
+    private int maxX;
+    private int maxY;
+
+    private int threshold;
+    private double centreX;
+    private double centreY;
+    private double radius;
+
+    Contour(int sensorWidth, int sensorHeight, double contourShare) {
+        share = contourShare;
+        width = sensorWidth + 2 * MARGIN;
+        height = sensorHeight + 2 * MARGIN;
+        grid = new int[width * height];
+    }
+
+    /** The motion that events are projected along until the next {@link #project}. */
+    Motion motion() {
+        return motion;
+    }
+
+    /** Least support that puts an event on the contour. */
+    int threshold() {
+        return threshold;
+    }
+
+    /** Centre of the contour at its reference time, x in px. */
+    double centreX() {
+        return centreX;
+    }
+
+    double centreY() {
+        return centreY;
+    }
+
+    /** Distance of the contour from its centre, root of the mean square, in px. */
+    double radius() {
+        return radius;
+    }
+
+    /** Support of an event: twice the live events around its cell of its own polarity, less those of the other. */
+    int support(int x, int y, long timeUs, int polarity) {
+        long dt = timeUs - motion.referenceUs;
+        int cx = x + MARGIN - Projection.travelled(fixedVx, dt);
+        int cy = y + MARGIN - Projection.travelled(fixedVy, dt);
+        if (motion.omega != 0) {
+            double turn = motion.omega * dt * 1e-6;
+            double rx = cx - MARGIN - motion.centreX;
+            double ry = cy - MARGIN - motion.centreY;
+            cx += (int) Math.rint(turn * ry);
+            cy -= (int) Math.rint(turn * rx);
+        }
+        if (cx < minX || cx > maxX || cy < minY || cy > maxY) {
+            return 0;
+        }
+        return supportAt(cy * width + cx, polarity);
+    }
+
+    /** The box keeps one cell from the grid's border, so that the neighbours exist. */
+    private int supportAt(int c, int polarity) {
+        int[] g = grid;
+        int up = c - width;
+        int down = c + width;
+        // up to 9 x 32,768 events would need 19 bits: the ring holds fewer than 65,536, so neither half overflows
+        int sum = g[up - 1] + g[up] + g[up + 1] + g[c - 1] + g[c] + g[c + 1] + g[down - 1] + g[down] + g[down + 1];
+        int on = sum & ONE_OFF - 1;
+        int off = sum >>> 16;
+        return polarity > 0 ? 2 * on - off : 2 * off - on;
+    }
+
+    /** Counts a live event on its cell. */
+    void add(LiveEvents live, int i) {
+        motion.project(live.x[i], live.y[i], live.timeUs[i]);
+        int cx = (int) (motion.x + (MARGIN + 0.5));
+        int cy = (int) (motion.y + (MARGIN + 0.5));
+        if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1) {
+            live.cell[i] = -1;
+            return;
+        }
+        int c = cy * width + cx;
+        live.cell[i] = c;
+        grid[c] += live.sign[i] > 0 ? ONE_ON : ONE_OFF;
+        if (cx <= minX) {
+            minX = Math.max(1, cx - 1);
+        }
+        if (cx >= maxX) {
+            maxX = Math.min(width - 2, cx + 1);
+        }
+        if (cy <= minY) {
+            minY = Math.max(1, cy - 1);
+        }
+        if (cy >= maxY) {
+            maxY = Math.min(height - 2, cy + 1);
+        }
+    }
+
+    /** Takes a live event off its cell. */
+    void remove(LiveEvents live, int i) {
+        if (live.cell[i] >= 0) {
+            grid[live.cell[i]] -= live.sign[i] > 0 ? ONE_ON : ONE_OFF;
+        }
+    }
+
+    /** Empties the cells of all live events. */
+    void clear(LiveEvents live) {
+        for (int k = 0; k < live.size(); k++) {
+            int c = live.cell[live.index(k)];
+            if (c >= 0) {
+                grid[c] = 0;
+            }
+        }
+        minX = width;
+        minY = height;
+        maxX = 0;
+        maxY = 0;
+        threshold = LEAST_SUPPORT;
+    }
+
+    /** Projects all live events anew, along another motion. */
+    void project(LiveEvents live, Motion along) {
+        clear(live);
+        motion.copyFrom(along);
+        fixedVx = Projection.fixed(motion.vx);
+        fixedVy = Projection.fixed(motion.vy);
+        for (int k = 0; k < live.size(); k++) {
+            add(live, live.index(k));
+        }
+        measure(live);
+    }
+
+    /** Measures threshold, centre and radius from some 256 of the live events. */
+    private void measure(LiveEvents live) {
+        long support = 0;
+        double sumX = 0;
+        double sumY = 0;
+        double squares = 0;
+        int n = 0;
+        int stride = Math.max(1, live.size() / 256);
+        for (int k = 0; k < live.size(); k += stride) {
+            int i = live.index(k);
+            int c = live.cell[i];
+            if (c < 0) {
+                continue;
+            }
+            support += supportAt(c, live.sign[i]);
+            int x = c % width - MARGIN;
+            int y = c / width - MARGIN;
+            sumX += x;
+            sumY += y;
+            squares += x * x + y * y;
+            n++;
+        }
+        if (n == 0) {
+            radius = 0;
+            return;
+        }
+        threshold = Math.max(LEAST_SUPPORT, (int) (share * support / n));
+        centreX = sumX / n;
+        centreY = sumY / n;
+        radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));
+    }
+
+    /** Side of the box at the reference time, in px; a column of the sensor, which it may leave by the margin. */
+    int left() {
+        return minX + 1 - MARGIN;
+    }
+
+    int top() {
+        return minY + 1 - MARGIN;
+    }
+
+    int right() {
+        return maxX - 1 - MARGIN;
+    }
+
+    int bottom() {
+        return maxY - 1 - MARGIN;
+    }
+
+    /** Longer side of the box in px. */
+    int extent() {
+        return Math.max(maxX - minX, maxY - minY) - 2;
+    }
+}
