@@ -284,6 +284,39 @@ public class SofasTest {
     }
 
     @Test
+    public void sixtyFourTrackPlanesAreServedAndNoMore() {
+        // 96 squares of 6 x 6 px in twelve columns and eight rows, 60 px/s to the right, to the left, down and up
+        SensorSize sensor = new SensorSize(480, 320);
+        int[][] direction = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+        List<Event> events = new ArrayList<>();
+        for (int step = 0; step < 24; step++) {
+            for (int square = 0; square < 96; square++) {
+                int column = square % 12;
+                int row = square / 12;
+                int[] d = direction[(column + 2 * row + row / 2) % 4];
+                int x = 40 * column + 17 + d[0] * (step - 12);
+                int y = 40 * row + 17 + d[1] * (step - 12);
+                for (int k = 0; k < 6; k++) {
+                    // the side ahead turns dark, the side behind light again
+                    long t = step * 16_667L + square * 170 + k;
+                    events.add(new Event(d[0] == 0 ? x + k : d[0] > 0 ? x + 6 : x - 1,
+                        d[1] == 0 ? y + k : d[1] > 0 ? y + 6 : y - 1, t, -1));
+                    events.add(new Event(d[0] == 0 ? x + k : d[0] > 0 ? x : x + 5,
+                        d[1] == 0 ? y + k : d[1] > 0 ? y : y + 5, t, 1));
+                }
+            }
+        }
+        Sofas sofas = new Sofas(sensor, SofasParameters.defaults());
+        FlowOutput output = new FlowOutput(96);
+        int most = 0;
+        for (int i = 0; i + 96 <= events.size(); i += 96) {
+            sofas.process(Streams.batch(events.subList(i, i + 96)), output);
+            most = Math.max(most, sofas.segments().size());
+        }
+        assertEquals(64, most);
+    }
+
+    @Test
     public void smallestAndLargestSensorAreServed() {
         for (SofasParameters p : PRESETS) {
             for (SensorSize sensor : List.of(new SensorSize(1, 1), new SensorSize(1280, 720), new SensorSize(1, 720),
