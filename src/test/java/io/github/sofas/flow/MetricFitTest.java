@@ -1,0 +1,150 @@
+package io.github.sofas.flow;
+
+import static org.junit.Assert.assertEquals;
+
+import io.github.sofas.flow.PlainPlane.Cell;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.Test;
+
+/** The metric of bilinear votes against a plain one: twice the sum over all pairs of events of what they share. */
+public class MetricFitTest {
+    /** An event at (x, y) px, tau s after the reference. */
+    private record Vote(float x, float y, float tauS, int polarity) {
+    }
+
+    private static double fast(List<Vote> votes, double cellPx, double vx, double vy) {
+        MetricFit fit = new MetricFit(32, 24, cellPx, 4096);
+        for (Vote v : votes) {
+            fit.add(v.x, v.y, v.tauS, 0, 0, v.polarity);
+        }
+        // nine projections with no distance between them
+        fit.frame(0);
+        fit.fit(vx, vy, 0);
+        return fit.metric();
+    }
+
+    private static double plain(List<Vote> votes, double cellPx, double vx, double vy) {
+        List<Map<Cell, Integer>> cells = new ArrayList<>();
+        for (Vote v : votes) {
+            cells.add(bilinear(sixteenths(v.x, vx * v.tauS, cellPx), sixteenths(v.y, vy * v.tauS, cellPx)));
+        }
+        long sum = 0;
+        for (int i = 0; i < votes.size(); i++) {
+            for (int j = i + 1; j < votes.size(); j++) {
+                for (Map.Entry<Cell, Integer> mine : cells.get(i).entrySet()) {
+                    sum += (long) votes.get(i).polarity * votes.get(j).polarity * mine.getValue()
+                        * cells.get(j).getOrDefault(mine.getKey(), 0);
+                }
+            }
+        }
+        // votes that cancel more than they meet are as good as none
+        return Math.max(0, 2.0 * sum / (256 * 256));
+    }
+
+    /** Place in sixteenths of a cell, of a place and a shift that are each rounded to the nearest. */
+    private static long sixteenths(double px, double shiftPx, double cellPx) {
+        return (long) (Math.floor(px / cellPx * 16 + 0.5) - Math.floor(shiftPx / cellPx * 16 + 0.5));
+    }
+
+    /** Votes for the four cells around, in 1/256. */
+    private static Map<Cell, Integer> bilinear(long x16, long y16) {
+        Map<Cell, Integer> votes = new HashMap<>();
+        long cx = Math.floorDiv(x16, 16L);
+        long cy = Math.floorDiv(y16, 16L);
+        int fx = (int) Math.floorMod(x16, 16L);
+        int fy = (int) Math.floorMod(y16, 16L);
+        votes.put(new Cell(cx, cy), (16 - fx) * (16 - fy));
+        votes.put(new Cell(cx + 1, cy), fx * (16 - fy));
+        votes.put(new Cell(cx, cy + 1), (16 - fx) * fy);
+        votes.put(new Cell(cx + 1, cy + 1), fx * fy);
+        return votes;
+    }
+
+    @Test
+    public void metricIsTwiceTheSumOverAllPairs() {
+        Random random = new Random(7);
+        for (int run = 0; run < 60; run++) {
+            List<Vote> votes = new ArrayList<>();
+            int count = 2 + random.nextInt(150);
+            for (int i = 0; i < count; i++) {
+                // places and times without a rounding of their own in single precision
+                float x = random.nextInt(32 * 64) / 64f;
+                float y = random.nextInt(24 * 64) / 64f;
+                float tau = (random.nextInt(256) - 128) / 256f;
+                votes.add(new Vote(x, y, tau, random.nextInt(4) == 0 ? -1 : 1));
+            }
+            double cellPx = 1 << random.nextInt(2);
+            double vx = (random.nextInt(320) - 160) / 16.0 * cellPx;
+            double vy = (random.nextInt(320) - 160) / 16.0 * cellPx;
+            assertEquals("run " + run, plain(votes, cellPx, vx, vy), fast(votes, cellPx, vx, vy), 0);
+        }
+    }
+
+    @Test
+    public void loneEventMeetsNobody() {
+        assertEquals(0, fast(List.of(new Vote(3, 3, 0, 1)), 1, 0, 0), 0);
+        assertEquals(0, fast(List.of(new Vote(3, 3, 0, 1), new Vote(9, 3, 0, 1)), 1, 0, 0), 0);
+    }
+
+    @Test
+    public void twoEventsAtOnePlaceMeetTwice() {
+        // 2 w f with f = 1; between cells the four quarters meet: 2 * 4 * 1/16
+        assertEquals(2, fast(List.of(new Vote(3, 3, 0, 1), new Vote(3, 3, 0, 1)), 1, 0, 0), 0);
+        assertEquals(0, fast(List.of(new Vote(3, 3, 0, 1), new Vote(3, 3, 0, -1)), 1, 0, 0), 0);
+        assertEquals(0.5, fast(List.of(new Vote(3.5f, 3.5f, 0, 1), new Vote(3.5f, 3.5f, 0, 1)), 1, 0, 0), 0);
+    }
+
+    @Test
+    public void eventsOfOppositePolarityCancel() {
+        // four ON, one OFF: six pairs of ON, four mixed ones: 2 * (6 - 4)
+        Vote on = new Vote(3, 3, 0, 1);
+        assertEquals(4, fast(List.of(on, on, new Vote(3, 3, 0, -1), on, on), 1, 0, 0), 0);
+    }
+
+    @Test
+    public void eventsOfOneMovingPointMeetAtItsVelocity() {
+        // 8 px/s to the right: 3 events, 3 pairs, 6; elsewhere none
+        List<Vote> votes = List.of(new Vote(3, 3, 0, 1), new Vote(7, 3, 0.5f, 1), new Vote(11, 3, 1, 1));
+        assertEquals(6, fast(votes, 1, 8, 0), 0);
+        assertEquals(0, fast(votes, 1, 0, 0), 0);
+        assertEquals(0, fast(votes, 1, -8, 0), 0);
+    }
+
+    @Test
+    public void eventThatLeavesThePlaneMeetsNobody() {
+        // 1000 px/s for a second: beyond the margin of 40 cells
+        List<Vote> votes = List.of(new Vote(3, 3, -1, 1), new Vote(3, 3, -1, 1), new Vote(3, 3, 1, 1),
+            new Vote(3, 3, 1, 1));
+        assertEquals(0, fast(votes, 1, 1000, 0), 0);
+        assertEquals(12, fast(votes, 1, 0, 0), 0);
+    }
+
+    @Test
+    public void stepLeadsToTheVelocityOfAMovingPattern() {
+        // dots at chance places, each fires eight times in a second at (12, -5) px/s; from (10, -4) to the top
+        Random random = new Random(3);
+        MetricFit fit = new MetricFit(64, 48, 1, 4096);
+        for (int d = 0; d < 40; d++) {
+            float x = 10 + 40 * random.nextFloat();
+            float y = 10 + 28 * random.nextFloat();
+            for (int k = 0; k < 8; k++) {
+                float tau = (k - 3.5f + random.nextFloat() - 0.5f) / 8;
+                fit.add(x + 12 * tau, y - 5 * tau, tau, 0, 0, 1);
+            }
+        }
+        fit.frame(2);
+        double vx = 10;
+        double vy = -4;
+        for (int c = 0; c < 5; c++) {
+            fit.fit(vx, vy, 2);
+            vx += fit.stepX();
+            vy += fit.stepY();
+        }
+        assertEquals(12, vx, 0.1);
+        assertEquals(-5, vy, 0.1);
+    }
+}
