@@ -1,5 +1,7 @@
 package io.github.sofas.flow;
 
+import java.util.Arrays;
+
 /**
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a motion, a quadratic through the nine values, and one step to its top.
@@ -13,7 +15,8 @@ final class MetricFit {
     /** Positions are in sixteenths of a cell. */
     private static final int SUB = 16;
     private static final int SUB_BITS = 4;
-    private static final int MARGIN = 40;
+    /** Cells around the events, for their shifts; twice the greatest distance of projections and a step. */
+    private static final int BORDER = 20;
 
     /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
     private static final double CHANGE_SIGMAS = 0.5;
@@ -33,7 +36,11 @@ final class MetricFit {
     private final int width;
     private final int height;
     private final int[] f;
-    private final int[] touched;
+    // the part of it that is used: where it lies, and its size
+    private int originX;
+    private int originY;
+    private int columns;
+    private int rows;
     private final float[] alongX;
     private final float[] alongY;
     private final double[] m = new double[9];
@@ -64,11 +71,10 @@ final class MetricFit {
         fromX = new float[capacity];
         fromY = new float[capacity];
         vote = new byte[capacity];
-        touched = new int[capacity];
         alongX = new float[capacity];
         alongY = new float[capacity];
-        width = (int) (sensorWidth / cellPx) + 2 + 2 * MARGIN;
-        height = (int) (sensorHeight / cellPx) + 2 + 2 * MARGIN;
+        width = (int) (sensorWidth / cellPx) + 2 + 2 * BORDER;
+        height = (int) (sensorHeight / cellPx) + 2 + 2 * BORDER;
         f = new int[width * height];
     }
 
@@ -98,8 +104,8 @@ final class MetricFit {
      */
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
         int i = size++;
-        placeX[i] = (int) (x * scale + (MARGIN * SUB + 0.5f));
-        placeY[i] = (int) (y * scale + (MARGIN * SUB + 0.5f));
+        placeX[i] = (int) (x * scale + 32768.5f) - 32768;
+        placeY[i] = (int) (y * scale + 32768.5f) - 32768;
         tau[i] = tauS;
         fromX[i] = rx;
         fromY[i] = ry;
@@ -114,16 +120,19 @@ final class MetricFit {
     /** Metric of the events moved back by sx alongX[i] and sy alongY[i]; 2 w f summed over all votes. */
     private double metric(float[] dx, float sx, float[] dy, float sy) {
         int[] grid = f;
-        int w = width;
-        int maxX = (width - 1) * SUB;
-        int maxY = (height - 1) * SUB;
+        int w = columns;
+        int offsetX = 32768 - originX;
+        int offsetY = 32768 - originY;
+        int limitX = (columns - 1) * SUB;
+        int limitY = (rows - 1) * SUB;
+        Arrays.fill(grid, 0, columns * rows, 0);
         long sum = 0;
-        int used = 0;
         for (int i = 0; i < size; i++) {
-            int px = placeX[i] - (int) (sx * dx[i] + 32768.5f) + 32768;
-            int py = placeY[i] - (int) (sy * dy[i] + 32768.5f) + 32768;
-            // an event that leaves the plane meets no other
-            if ((px | py) < 0 || px >= maxX || py >= maxY) {
+            // the cast rounds towards zero, so the argument is kept positive
+            int px = placeX[i] + offsetX - (int) (sx * dx[i] + 32768.5f);
+            int py = placeY[i] + offsetY - (int) (sy * dy[i] + 32768.5f);
+            // an event that leaves the grid meets no other
+            if ((px | py) < 0 || px >= limitX || py >= limitY) {
                 continue;
             }
             int c = (py >> SUB_BITS) * w + (px >> SUB_BITS);
@@ -143,16 +152,26 @@ final class MetricFit {
             grid[c + 1] = b + w10;
             grid[c + w] = d + w01;
             grid[c + w + 1] = e + w11;
-            touched[used++] = c;
-        }
-        for (int i = 0; i < used; i++) {
-            int c = touched[i];
-            grid[c] = 0;
-            grid[c + 1] = 0;
-            grid[c + w] = 0;
-            grid[c + w + 1] = 0;
         }
         return sum * (2.0 / (SUB * SUB * SUB * SUB));
+    }
+
+    /** Lays the grid around the events, so that it is as small as they allow and stays in the cache. */
+    private void layGrid() {
+        int lowX = Integer.MAX_VALUE;
+        int lowY = Integer.MAX_VALUE;
+        int highX = Integer.MIN_VALUE;
+        int highY = Integer.MIN_VALUE;
+        for (int i = 0; i < size; i++) {
+            lowX = Math.min(lowX, placeX[i]);
+            highX = Math.max(highX, placeX[i]);
+            lowY = Math.min(lowY, placeY[i]);
+            highY = Math.max(highY, placeY[i]);
+        }
+        originX = lowX - BORDER * SUB;
+        originY = lowY - BORDER * SUB;
+        columns = Math.min(width, (highX - lowX) / SUB + 2 + 2 * BORDER);
+        rows = Math.min(height, (highY - lowY) / SUB + 2 + 2 * BORDER);
     }
 
     /** Sets an upright frame with equal distances. */
@@ -195,6 +214,7 @@ final class MetricFit {
      *     deviations of the metric, which counts about as many meetings
      */
     void fit(double vx0, double vy0, double sigmas) {
+        layGrid();
         metric = 0;
         for (int j = 0; j < 3; j++) {
             for (int i = 0; i < 3; i++) {
