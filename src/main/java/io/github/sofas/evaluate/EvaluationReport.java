@@ -1,5 +1,7 @@
 package io.github.sofas.evaluate;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import io.github.sofas.export.Json;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -16,11 +18,12 @@ import java.util.Map;
  * @param recording path of the recording, as it was given
  * @param truth path of its truth
  * @param method name of the method
+ * @param preset name of the preset that its parameters started from; empty where the method has none
  * @param parameters every parameter of the method by its option's name: a Number, Boolean or String each
  * @param run what came of it
  */
 public record EvaluationReport(String version, String recording, String truth, String method,
-                               Map<String, Object> parameters, EvaluationRun run) {
+                               String preset, Map<String, Object> parameters, EvaluationRun run) {
     /** The first line of the CSV form, without its end. */
     public static final String CSV_HEADER = "section,of,figure,value";
 
@@ -136,6 +139,86 @@ public record EvaluationReport(String version, String recording, String truth, S
         for (Column column : columns) {
             column.figures.forEach((figure, value) -> csv.append(section).append(',').append(column.of).append(',')
                     .append(figure).append(',').append(value == null ? "" : NamedFigures.text(value)).append('\n'));
+        }
+    }
+
+    /**
+     * Writes a JSON document; leaves the stream open.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public void writeJson(OutputStream out) throws IOException {
+        Evaluation evaluation = run.evaluation();
+        try (JsonGenerator json = Json.open(out)) {
+            json.writeStartObject();
+            json.writeStringField("version", version);
+            json.writeStringField("recording", recording);
+            json.writeStringField("truth", truth);
+            json.writeBooleanField("complete", run.damage() == null);
+            json.writeStringField("method", method);
+            json.writeStringField("preset", preset);
+            json.writeObjectFieldStart("parameters");
+            for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
+                json.writeFieldName(parameter.getKey());
+                writeParameter(json, parameter.getValue());
+            }
+            json.writeEndObject();
+            json.writeNumberField("events", evaluation.events());
+            json.writeNumberField("events_counted", evaluation.eventsCounted());
+            json.writeFieldName("skip_first_share");
+            writeFigure(json, evaluation.options().skipFirstShare());
+            json.writeNumberField("window_us", evaluation.options().windowUs());
+            json.writeFieldName("method_seconds");
+            writeFigure(json, run.methodSeconds());
+            json.writeFieldName("flow");
+            writeColumns(json, flow());
+            json.writeFieldName("noise");
+            writeFigures(json, NamedFigures.noise(evaluation));
+            json.writeFieldName("segmentation");
+            writeColumns(json, segmentation());
+            json.writeArrayFieldStart("convergence");
+            for (Column bin : convergence()) {
+                writeFigures(json, bin.figures);
+            }
+            json.writeEndArray();
+            json.writeEndObject();
+        }
+    }
+
+    private static void writeParameter(JsonGenerator json, Object value) throws IOException {
+        if (value instanceof Number) {
+            json.writeNumber(value.toString());
+        } else if (value instanceof Boolean) {
+            json.writeBoolean((Boolean) value);
+        } else {
+            json.writeString(value.toString());
+        }
+    }
+
+    /** An object whose fields are {@code all} and the ids. */
+    private static void writeColumns(JsonGenerator json, List<Column> columns) throws IOException {
+        json.writeStartObject();
+        for (Column column : columns) {
+            json.writeFieldName(column.of);
+            writeFigures(json, column.figures);
+        }
+        json.writeEndObject();
+    }
+
+    private static void writeFigures(JsonGenerator json, Map<String, Number> figures) throws IOException {
+        json.writeStartObject();
+        for (Map.Entry<String, Number> figure : figures.entrySet()) {
+            json.writeFieldName(figure.getKey());
+            writeFigure(json, figure.getValue());
+        }
+        json.writeEndObject();
+    }
+
+    private static void writeFigure(JsonGenerator json, Number value) throws IOException {
+        if (value == null) {
+            json.writeNull();
+        } else {
+            json.writeNumber(NamedFigures.text(value));
         }
     }
 }

@@ -46,8 +46,17 @@ public final class Aedat2Writer implements Closeable {
      * @throws IOException where the file cannot be written
      */
     public Aedat2Writer(Path path, Chip chip) throws IOException {
+        this(Files.newOutputStream(path), chip);
+    }
+
+    /**
+     * Writes the header to a stream, which {@link #close()} closes.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public Aedat2Writer(OutputStream stream, Chip chip) throws IOException {
         this.chip = chip;
-        out = new BufferedOutputStream(Files.newOutputStream(path));
+        out = new BufferedOutputStream(stream);
         String header = HEADER + CHIP_LINE + chip.className() + "\r\n" + END_LINE + "\r\n";
         out.write(header.getBytes(StandardCharsets.US_ASCII));
     }

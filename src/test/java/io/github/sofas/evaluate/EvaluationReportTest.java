@@ -27,7 +27,7 @@ public class EvaluationReportTest {
         Evaluation evaluation = Evaluation.of(new GroundTruth(timeUs, trueVx, new float[n], object),
                 FlowEstimate.of(vx, new float[n], Arrays.copyOf(object, n)),
                 new EvaluationOptions(0, 50_000, 20_000, 2));
-        return new EvaluationReport("0.1", "day/edge.aedat", "day/edge.truth.csv", "sofas",
+        return new EvaluationReport("0.1", "day/edge.aedat", "day/edge.truth.csv", "sofas", "default",
                 Map.of("lifetime-px", 6.0), new EvaluationRun(evaluation, null, 0.5));
     }
 
@@ -53,7 +53,7 @@ public class EvaluationReportTest {
     @Test
     public void aFigureOfNothingIsEmptyInCsvAndADashInText() throws IOException {
         assertTrue(csv().contains("\nconvergence,20000,share_with_flow,\n"));
-        EvaluationReport none = new EvaluationReport("0.1", "a", "b", "sofas", Map.of(), new EvaluationRun(
+        EvaluationReport none = new EvaluationReport("0.1", "a", "b", "sofas", "default", Map.of(), new EvaluationRun(
                 Evaluation.of(new GroundTruth(new long[0], new float[0], new float[0], new int[0]),
                         FlowEstimate.of(new float[0], new float[0], new int[0]), EvaluationOptions.defaults()),
                 null, 0));
@@ -71,5 +71,18 @@ public class EvaluationReportTest {
         assertTrue(text.contains("\nsegmentation, by object, in windows of 50 ms           all           1\n"));
         String firstBin = "           0          10       1.000      10.000       0.000       5.000      10.000\n";
         assertTrue(text.endsWith("px/s     error %\n" + firstBin));
+    }
+
+    @Test
+    public void jsonHasNullForAFigureOfNothingAndNoExponents() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        report().writeJson(bytes);
+        String json = bytes.toString(StandardCharsets.UTF_8);
+        assertTrue(json, json.startsWith("{\n  \"version\" : \"0.1\",\n  \"recording\" : \"day/edge.aedat\",\n"));
+        assertTrue(json, json.contains("\n    \"lifetime-px\" : 6.0\n"));
+        assertTrue(json, json.contains("\n    \"1\" : {\n      \"events\" : 10,\n"));
+        assertTrue(json, json.contains("\n      \"magnitude_error_percent_mean\" : 10.000000,\n"));
+        assertTrue(json, json.contains("\"from_ms\" : 20.000000,\n      \"until_ms\" : 40.000000,\n"
+                + "      \"events\" : 0,\n      \"share_with_flow\" : null,\n"));
     }
 }

@@ -1,0 +1,74 @@
+package io.github.sofas.cli;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Properties;
+
+/** A Java properties file in UTF-8 whose keys are named in messages with their line. */
+final class ConfigFile {
+    private final Path file;
+    private final Properties properties = new Properties();
+    private final List<String> lines;
+
+    private ConfigFile(Path file, List<String> lines) {
+        this.file = file;
+        this.lines = lines;
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws IllegalArgumentException where it cannot be read, with a message for the user
+     */
+    static ConfigFile read(Path file) {
+        String name = "[" + file.getFileName() + "] ";
+        try {
+            String text = Files.readString(file, StandardCharsets.UTF_8);
+            ConfigFile config = new ConfigFile(file, text.lines().toList());
+            config.properties.load(new StringReader(text));
+            return config;
+        } catch (NoSuchFileException e) {
+            throw new IllegalArgumentException(name + "no such file: " + file, e);
+        } catch (IOException | IllegalArgumentException e) {
+            // Properties complains of \\u escapes with an IllegalArgumentException.
+            throw new IllegalArgumentException(name + "cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    /** All keys, in the order of the file. */
+    List<String> keys() {
+        List<String> keys = new ArrayList<>(properties.stringPropertyNames());
+        keys.sort(Comparator.comparingInt(this::lineOf).thenComparing(Comparator.naturalOrder()));
+        return keys;
+    }
+
+    /** The value of a key that is there. */
+    String value(String key) {
+        return properties.getProperty(key).strip();
+    }
+
+    /** Where a key stands, as messages begin. */
+    String place(String key) {
+        int line = lineOf(key);
+        return "[" + file.getFileName() + "] " + (line == 0 ? "" : "line " + line + ": ");
+    }
+
+    /** The last line with the key, because that is the one that counts; 0 where it is written with escapes. */
+    private int lineOf(String key) {
+        for (int i = lines.size(); i > 0; i--) {
+            String line = lines.get(i - 1).stripLeading();
+            if (line.startsWith(key)
+                && (line.length() == key.length() || "=: \t".indexOf(line.charAt(key.length())) >= 0)) {
+                return i;
+            }
+        }
+        return 0;
+    }
+}

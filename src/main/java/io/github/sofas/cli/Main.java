@@ -1,0 +1,58 @@
+package io.github.sofas.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import picocli.CommandLine;
+
+/** Where the program starts. */
+public final class Main {
+    /** Everything was done. */
+    static final int OK = 0;
+    /** A recording failed. */
+    static final int FAILED = 1;
+    /** What was asked makes no sense; nothing was run. */
+    static final int USAGE = 2;
+
+    private Main() {
+    }
+
+    /** Runs one command and ends the program with its exit code. */
+    public static void main(String[] args) {
+        Charset charset = Charset.defaultCharset();
+        int exitCode = execute(new PrintWriter(System.out, true, charset), new PrintWriter(System.err, true, charset),
+            args);
+        System.exit(exitCode);
+    }
+
+    /**
+     * Runs one command.
+     *
+     * @param out gets what was asked for: figures, help, versions
+     * @param err gets progress, summaries and messages
+     * @return the exit code: 0 done, 1 a recording failed, 2 wrong usage
+     */
+    static int execute(PrintWriter out, PrintWriter err, String... args) {
+        SofasCommand sofas = new SofasCommand();
+        CommandLine commandLine = new CommandLine(sofas);
+        ParameterOptions.addTo(commandLine.getSubcommands().get("run").getCommandSpec());
+        ParameterOptions.addTo(commandLine.getSubcommands().get("evaluate").getCommandSpec());
+        commandLine.setOut(out);
+        commandLine.setErr(err);
+        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+        commandLine.setUsageHelpAutoWidth(true);
+        commandLine.setParameterExceptionHandler((exception, ignored) -> {
+            err.println(exception.getMessage());
+            CommandLine.UnmatchedArgumentException.printSuggestions(exception, err);
+            err.println("Try '" + exception.getCommandLine().getCommandSpec().qualifiedName() + " --help'.");
+            return USAGE;
+        });
+        commandLine.setExecutionExceptionHandler((exception, failed, ignored) -> {
+            sofas.printUnexpected(err, "", exception);
+            return FAILED;
+        });
+        int exitCode = commandLine.execute(args);
+        out.flush();
+        err.flush();
+        return exitCode;
+    }
+}

@@ -1,0 +1,25 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Segment;
+import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
+
+/**
+ * A method that labels events, with all that was asked of it.
+ *
+ * @param method its name on the command line
+ * @param preset name of the preset that the parameters started from; empty where the method has none
+ * @param parameters every parameter by its option's name: a Number, Boolean or String each
+ * @param maker makes it for a sensor and for a receiver of each segment that ends
+ */
+record MethodChoice(String method, String preset, Map<String, Object> parameters,
+                    BiFunction<SensorSize, Consumer<Segment>, EventLabeller> maker) {
+
+    /** Makes the method for a sensor; ended is called for each segment that ends. */
+    EventLabeller make(SensorSize sensor, Consumer<Segment> ended) {
+        return maker.apply(sensor, ended);
+    }
+}

@@ -1,0 +1,119 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.baseline.LocalPlanes;
+import io.github.sofas.baseline.LucasKanade;
+import io.github.sofas.baseline.LucasKanade.Derivative;
+import io.github.sofas.flow.Sofas;
+import io.github.sofas.flow.SofasParameters;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Which method labels the events. Goes with {@link ParameterOptions}, which has the parameters of SOFAS. */
+final class MethodOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(names = "--method", paramLabel = "METHOD", defaultValue = "sofas",
+        description = "What labels the events: ${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}. The last two find "
+            + "no segments: every event with flow is of segment 1.")
+    private Method method;
+
+    @Option(names = "--derivative", paramLabel = "DERIVATIVE",
+        description = "How lucas-kanade differentiates: ${COMPLETION-CANDIDATES}; default: savitzky-golay.")
+    private LucasKanadeDerivative derivative;
+
+    /** What labels the events. */
+    enum Method {
+        /** Ours. */
+        SOFAS,
+        /** Lucas-Kanade for events. */
+        LUCAS_KANADE,
+        /** Local plane fitting. */
+        LOCAL_PLANES;
+
+        @Override
+        public String toString() {
+            return hyphenated(this);
+        }
+    }
+
+    /** The derivatives of Lucas-Kanade in the words of the command line. */
+    enum LucasKanadeDerivative {
+        /** The best of them. */
+        SAVITZKY_GOLAY(Derivative.SAVITZKY_GOLAY),
+        /** jAER's default. */
+        CENTRAL_DIFFERENCE(Derivative.CENTRAL_DIFFERENCE),
+        /** The original. */
+        BACKWARD_DIFFERENCE(Derivative.BACKWARD_DIFFERENCE);
+
+        private final Derivative derivative;
+
+        LucasKanadeDerivative(Derivative derivative) {
+            this.derivative = derivative;
+        }
+
+        @Override
+        public String toString() {
+            return hyphenated(this);
+        }
+    }
+
+    /**
+     * What was asked for.
+     *
+     * @throws ParameterException where an option is of another method, or a value is wrong
+     */
+    MethodChoice choice(ParameterOptions parameterOptions) {
+        if (method != Method.LUCAS_KANADE && derivative != null) {
+            throw new ParameterException(command.commandLine(), "--derivative is of --method lucas-kanade, not of "
+                + method);
+        }
+        if (method == Method.SOFAS) {
+            SofasParameters parameters = parameterOptions.parameters();
+            return new MethodChoice(method.toString(), parameterOptions.presetName(),
+                ParameterOptions.asMap(parameters),
+                (sensor, ended) -> new Sofas(sensor, parameters, ended));
+        }
+        refuseParametersOfSofas();
+        Map<String, Object> parameters = new LinkedHashMap<>();
+        if (method == Method.LOCAL_PLANES) {
+            parameters.put("window-radius", LocalPlanes.WINDOW_RADIUS);
+            parameters.put("max-age-us", LocalPlanes.MAX_AGE_US);
+            parameters.put("refractory-us", LocalPlanes.REFRACTORY_US);
+            parameters.put("max-distance", LocalPlanes.MAX_DISTANCE);
+            parameters.put("min-slope", LocalPlanes.MIN_SLOPE);
+            return new MethodChoice(method.toString(), "", parameters, (sensor, ended) -> new LocalPlanes(sensor));
+        }
+        LucasKanadeDerivative chosen = derivative == null ? LucasKanadeDerivative.SAVITZKY_GOLAY : derivative;
+        parameters.put("window-radius", LucasKanade.WINDOW_RADIUS);
+        parameters.put("max-age-us", LucasKanade.MAX_AGE_US);
+        parameters.put("min-eigenvalue", LucasKanade.MIN_EIGENVALUE);
+        parameters.put("derivative", chosen.toString());
+        return new MethodChoice(method.toString(), "", parameters,
+            (sensor, ended) -> new LucasKanade(sensor, chosen.derivative));
+    }
+
+    private void refuseParametersOfSofas() {
+        List<String> ofSofas = new ArrayList<>(List.of("--preset", "--config"));
+        ParameterOptions.asMap(SofasParameters.defaults()).keySet().forEach(name -> ofSofas.add("--" + name));
+        for (ArgSpec matched : command.commandLine().getParseResult().matchedArgs()) {
+            if (matched instanceof OptionSpec && ofSofas.contains(((OptionSpec) matched).longestName())) {
+                throw new ParameterException(command.commandLine(), ((OptionSpec) matched).longestName()
+                    + " is of --method sofas, not of " + method);
+            }
+        }
+    }
+
+    private static String hyphenated(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}

@@ -1,0 +1,138 @@
+package io.github.sofas.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.PathMatcher;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/**
+ * The recordings that a command line means: files, all recordings of a directory (not of those inside it), and
+ * patterns that no shell has expanded.
+ */
+final class RecordingArguments {
+    /**
+     * What a directory is searched for. Text recordings are not among it, because notes and results are text too: they
+     * are named one by one or by a pattern.
+     */
+    static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat");
+
+    private static final String WILDCARDS = "*?[{";
+
+    private RecordingArguments() {
+    }
+
+    /**
+     * Expands arguments in their order, directories and patterns in the order of names; no file comes twice.
+     *
+     * @throws IllegalArgumentException where one means nothing, with a message for the user
+     */
+    static List<Path> expand(List<String> arguments) {
+        Set<Path> seen = new LinkedHashSet<>();
+        List<Path> recordings = new ArrayList<>();
+        for (String argument : arguments) {
+            for (Path path : expand(argument)) {
+                if (seen.add(path.toAbsolutePath().normalize())) {
+                    recordings.add(path);
+                }
+            }
+        }
+        return recordings;
+    }
+
+    private static List<Path> expand(String argument) {
+        Path path;
+        try {
+            path = Path.of(argument);
+        } catch (InvalidPathException e) {
+            throw new IllegalArgumentException("[" + argument + "] is no path: " + e.getReason(), e);
+        }
+        if (Files.isDirectory(path)) {
+            List<Path> found = list(path, 1, RecordingArguments::looksLikeRecording);
+            if (found.isEmpty()) {
+                throw new IllegalArgumentException("[" + argument + "] no recording in this directory: extensions are "
+                    + String.join(", ", EXTENSIONS));
+            }
+            return found;
+        }
+        if (Files.exists(path)) {
+            return List.of(path);
+        }
+        if (argument.chars().anyMatch(c -> WILDCARDS.indexOf(c) >= 0)) {
+            List<Path> found = match(path);
+            if (found.isEmpty()) {
+                throw new IllegalArgumentException("[" + argument + "] no file matches this pattern");
+            }
+            return found;
+        }
+        throw new IllegalArgumentException("[" + argument + "] no such file");
+    }
+
+    private static boolean looksLikeRecording(Path file) {
+        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        return !name.startsWith(".") && EXTENSIONS.stream().anyMatch(known -> name.endsWith("." + known));
+    }
+
+    private static List<Path> match(Path pattern) {
+        // The folders before the first wildcard are where the search starts.
+        Path start = pattern.isAbsolute() ? pattern.getRoot() : Path.of("");
+        int fixed = 0;
+        while (pattern.getName(fixed).toString().chars().noneMatch(c -> WILDCARDS.indexOf(c) >= 0)) {
+            start = start.resolve(pattern.getName(fixed));
+            fixed++;
+        }
+        if (!Files.isDirectory(start)) {
+            return List.of();
+        }
+        Path rest = pattern.subpath(fixed, pattern.getNameCount());
+        PathMatcher matcher = FileSystems.getDefault().getPathMatcher("glob:" + rest);
+        int depth = rest.toString().contains("**") ? Integer.MAX_VALUE : rest.getNameCount();
+        Path from = start;
+        return list(start, depth, file -> matcher.matches(from.relativize(file)));
+    }
+
+    private static List<Path> list(Path folder, int depth, Predicate<Path> wanted) {
+        try (Stream<Path> files = Files.walk(folder, depth)) {
+            return files.filter(Files::isRegularFile).filter(wanted).sorted().toList();
+        } catch (IOException | UncheckedIOException e) {
+            throw new IllegalArgumentException("[" + folder + "] cannot be listed: " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Names the results of each recording, in the order given.
+     *
+     * @param withExtension whether the last extension is kept
+     * @throws IllegalArgumentException where two recordings have one name, with a message for the user
+     */
+    static Map<String, Path> byName(List<Path> recordings, boolean withExtension) {
+        Map<String, Path> named = new LinkedHashMap<>();
+        for (Path recording : recordings) {
+            String name = name(recording, withExtension);
+            Path other = named.putIfAbsent(name, recording);
+            if (other != null) {
+                throw new IllegalArgumentException("[" + recording + "] results must have different names but those of "
+                    + other + " are named \"" + name + "\" too"
+                    + (name(other, true).equals(name(recording, true)) ? "" : "; --name-with-extension keeps both"));
+            }
+        }
+        return named;
+    }
+
+    private static String name(Path recording, boolean withExtension) {
+        String name = recording.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return withExtension || dot <= 0 ? name : name.substring(0, dot);
+    }
+}

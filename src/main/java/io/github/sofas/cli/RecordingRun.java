@@ -1,0 +1,148 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.FlowCsvWriter;
+import io.github.sofas.export.RecordingSummary;
+import io.github.sofas.export.ResultFiles;
+import io.github.sofas.export.RunSummary;
+import io.github.sofas.export.SegmentsCsv;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.recording.RecordingOptions;
+import io.github.sofas.recording.RecordingReader;
+import io.github.sofas.recording.Recordings;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * One recording from its first event to its result files: read a batch, label it, write its rows, again.
+ *
+ * @param recording what is read
+ * @param options how it is read
+ * @param method labels the events
+ * @param out folder of the results
+ * @param name of the results, without their endings
+ */
+record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name) {
+    /** Events labelled at once: few enough to stay in a core's cache from reader to writer. */
+    private static final int BATCH = 4096;
+
+    /**
+     * What came of it.
+     *
+     * @param summary as written
+     * @param damage why the recording could not be read to its end; null where it was
+     */
+    record Outcome(RunSummary summary, EventSourceException damage) {
+    }
+
+    /** Where the row of every event goes. */
+    static Path flowFile(Path out, String name) {
+        return out.resolve(name + ".flow.csv");
+    }
+
+    /** Where the track planes go. */
+    static Path segmentsFile(Path out, String name) {
+        return out.resolve(name + ".segments.csv");
+    }
+
+    /** Where the figures of the run go. */
+    static Path summaryFile(Path out, String name) {
+        return out.resolve(name + ".summary.json");
+    }
+
+    /** The results of a name that exist. */
+    static List<Path> existing(Path out, String name) {
+        return Stream.of(flowFile(out, name), segmentsFile(out, name), summaryFile(out, name)).filter(Files::exists)
+            .toList();
+    }
+
+    /**
+     * Runs. A damaged recording has results too, of every event before the damage.
+     *
+     * @throws EventSourceException where the recording cannot be opened; there are no results then
+     * @throws IOException where the results cannot be written; there are none then
+     */
+    Outcome run(RunProgress progress) throws EventSourceException, IOException {
+        long start = System.nanoTime();
+        try (RecordingReader reader = Recordings.open(recording, options); ResultFiles results = new ResultFiles()) {
+            List<Segment> segments = new ArrayList<>();
+            EventLabeller labeller = method.make(reader.sensor(), segments::add);
+            EventBatch batch = new EventBatch(BATCH);
+            FlowOutput flow = new FlowOutput(BATCH);
+            EventSourceException damage = null;
+            long eventsWithFlow = 0;
+            long decodeNs = System.nanoTime() - start;
+            long engineNs = 0;
+            long outputNs = 0;
+            try (FlowCsvWriter csv = new FlowCsvWriter(results.create(flowFile(out, name)))) {
+                while (true) {
+                    long beforeDecode = System.nanoTime();
+                    boolean more = false;
+                    try {
+                        more = reader.next(batch);
+                    } catch (EventSourceException e) {
+                        damage = e;
+                    }
+                    long beforeEngine = System.nanoTime();
+                    decodeNs += beforeEngine - beforeDecode;
+                    if (!more) {
+                        break;
+                    }
+                    labeller.process(batch, flow);
+                    long beforeOutput = System.nanoTime();
+                    engineNs += beforeOutput - beforeEngine;
+                    csv.write(batch, flow);
+                    outputNs += System.nanoTime() - beforeOutput;
+                    int withFlow = countWithFlow(batch, flow);
+                    eventsWithFlow += withFlow;
+                    progress.add(batch.size(), withFlow);
+                }
+            }
+            segments.addAll(labeller.segments());
+            RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9, decodeNs / 1e9,
+                engineNs / 1e9, outputNs / 1e9);
+            RecordingSummary read = Summaries.of(recording, reader, damage);
+            RunSummary summary = new RunSummary(Version.text(), read, method.method(), method.preset(),
+                method.parameters(), eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
+                peakHeapBytes());
+            try (OutputStream file = results.create(segmentsFile(out, name))) {
+                SegmentsCsv.write(file, segments);
+            }
+            try (OutputStream file = results.create(summaryFile(out, name))) {
+                summary.write(file);
+            }
+            results.commit();
+            return new Outcome(summary, damage);
+        }
+    }
+
+    private static int countWithFlow(EventBatch batch, FlowOutput flow) {
+        int count = 0;
+        for (int i = 0; i < batch.size(); i++) {
+            count += flow.segment[i] != 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** The sum over the parts of the heap, so at least the true peak: the parts need not have peaked together. */
+    private static long peakHeapBytes() {
+        long peak = 0;
+        for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
+            if (pool.getType() == MemoryType.HEAP) {
+                peak += pool.getPeakUsage().getUsed();
+            }
+        }
+        return peak;
+    }
+}

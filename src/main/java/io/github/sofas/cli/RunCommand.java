@@ -1,0 +1,164 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.recording.RecordingOptions;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+
+/** Gives flow and segment to every event of recordings. */
+@Command(name = "run", sortOptions = false,
+    customSynopsis = "sofas run [OPTION]... --out DIR RECORDING...",
+    description = {"Give flow and segment to every event of recordings.",
+        "Writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json for each; NAME is the recording's file name "
+        + "without its last extension."},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {"0:every recording was read to its end", "1:a recording failed; the others were run",
+        "2:wrong usage; nothing was run"})
+final class RunCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @ParentCommand
+    private SofasCommand sofas;
+
+    @Parameters(paramLabel = "RECORDING", arity = "1..*",
+        description = "Recordings, directories of recordings, or quoted patterns such as 'day*/*.aedat4'.")
+    private List<String> arguments;
+
+    @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
+        description = "Where the results go; made where it does not exist.")
+    private Path out;
+
+    @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
+    private boolean force;
+
+    @Option(names = "--name-with-extension",
+        description = "Keep the extension in NAME, for recordings that differ in nothing else.")
+    private boolean nameWithExtension;
+
+    @Option(names = {"-j", "--jobs"}, paramLabel = "N", defaultValue = "1",
+        description = "How many recordings are run at once; default: ${DEFAULT-VALUE}.")
+    private int jobs;
+
+    @Mixin
+    private ReadingOptions reading;
+
+    @Option(names = {"-q", "--quiet"}, description = "Show no progress and no summaries, only what is wrong.")
+    private boolean quiet;
+
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Mixin
+    private ParameterOptions parameterOptions;
+
+    /** A run that was started, and what it will come to. */
+    private record Started(RecordingRun run, Future<Boolean> succeeds) {
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        List<RecordingRun> runs = check();
+        PrintWriter err = spec.commandLine().getErr();
+        List<String> failed = new ArrayList<>();
+        ExecutorService pool = Executors.newFixedThreadPool(Math.min(jobs, runs.size()));
+        try (RunProgress progress = RunProgress.start(err, quiet, runs.size())) {
+            List<Started> started = new ArrayList<>();
+            for (RecordingRun run : runs) {
+                started.add(new Started(run, pool.submit(() -> succeeds(run, progress))));
+            }
+            for (Started each : started) {
+                if (!succeeded(each, progress)) {
+                    failed.add(each.run.recording().toString());
+                }
+            }
+        } finally {
+            pool.shutdownNow();
+        }
+        if (failed.isEmpty()) {
+            return Main.OK;
+        }
+        err.println(failed.size() + " of " + runs.size() + (runs.size() == 1 ? " recording" : " recordings")
+            + " failed: " + String.join(", ", failed));
+        return Main.FAILED;
+    }
+
+    /** Everything that can be wrong before the first recording is opened. */
+    private List<RecordingRun> check() {
+        if (jobs < 1) {
+            throw usage("--jobs must be at least 1 but was " + jobs);
+        }
+        RecordingOptions options = reading.recordingOptions();
+        MethodChoice method = methodOptions.choice(parameterOptions);
+        List<RecordingRun> runs = new ArrayList<>();
+        try {
+            Map<String, Path> named = RecordingArguments.byName(RecordingArguments.expand(arguments),
+                nameWithExtension);
+            named.forEach((name, recording) -> runs.add(new RecordingRun(recording, options, method, out, name)));
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw usage("[" + out + "] cannot be made a directory: " + e);
+        }
+        if (!force) {
+            for (RecordingRun run : runs) {
+                for (Path existing : RecordingRun.existing(out, run.name())) {
+                    throw usage("[" + existing + "] exists already; --force replaces it");
+                }
+            }
+        }
+        return runs;
+    }
+
+    private ParameterException usage(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+
+    /** Runs one recording and says what came of it. */
+    private boolean succeeds(RecordingRun run, RunProgress progress) throws Exception {
+        RecordingRun.Outcome outcome = run.run(progress);
+        // Faults end with the damage where there is one.
+        outcome.summary().recording().faults().forEach(progress::say);
+        progress.finished(run.name(), outcome.summary());
+        return outcome.damage() == null;
+    }
+
+    private boolean succeeded(Started started, RunProgress progress) throws InterruptedException {
+        String place = "[" + started.run.recording().getFileName() + "] ";
+        try {
+            return started.succeeds.get();
+        } catch (ExecutionException e) {
+            Throwable cause = e.getCause();
+            if (cause instanceof EventSourceException) {
+                progress.say(cause.getMessage());
+            } else if (cause instanceof IOException) {
+                progress.say(place + "results cannot be written: " + cause.getMessage());
+            } else {
+                progress.clear();
+                sofas.printUnexpected(spec.commandLine().getErr(), place, cause);
+            }
+            return false;
+        }
+    }
+}

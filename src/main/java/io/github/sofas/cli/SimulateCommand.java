@@ -1,0 +1,223 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.export.ResultFiles;
+import io.github.sofas.recording.Aedat2Writer;
+import io.github.sofas.recording.Chip;
+import io.github.sofas.simulate.DvsModel;
+import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.SimulatedSource;
+import io.github.sofas.simulate.SimulationOptions;
+import io.github.sofas.simulate.Truth;
+import io.github.sofas.simulate.TruthCsv;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Films a scene with a model of a sensor, and writes the recording with the truth of every event. */
+@Command(name = "simulate", sortOptions = false,
+    customSynopsis = {"sofas simulate SCENE --out DIR [OPTION]...", "       sofas simulate --list"},
+    description = {"Film a scene with a model of an event camera.",
+        "Writes SCENE.aedat (AEDAT 2.0) and SCENE.truth.csv (" + TruthCsv.HEADER + "; object 0 is noise)."},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {"0:written", "1:the files cannot be written", "2:wrong usage; nothing was written"})
+final class SimulateCommand implements Callable<Integer> {
+    private static final int BATCH = 4096;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "SCENE", arity = "0..1", description = "What is filmed; --list tells the scenes.")
+    private String sceneName;
+
+    @Option(names = "--list", description = "List the scenes.")
+    private boolean list;
+
+    @Option(names = {"-o", "--out"}, paramLabel = "DIR", description = "Where the files go; made if it does not exist.")
+    private Path out;
+
+    @Option(names = {"-f", "--force"}, description = "Replace files that exist; without it they are an error.")
+    private boolean force;
+
+    @Option(names = {"-q", "--quiet"}, description = "Print no summary.")
+    private boolean quiet;
+
+    @ArgGroup(validate = false, heading = "%nThe scene:%n")
+    private final SceneChoices scene = new SceneChoices();
+
+    @ArgGroup(validate = false, heading = "%nThe sensor:%n")
+    private final SensorChoices sensor = new SensorChoices();
+
+    /** What happens before the sensor. */
+    private static final class SceneChoices {
+        @Option(names = "--duration", paramLabel = "SECONDS",
+            description = "Length of the film; 0 for the scene's own.")
+        private double durationS;
+
+        @Option(names = "--speed", paramLabel = "PX/S", description = "Speed of the first object; 0 for its own.")
+        private double speedPxPerS;
+
+        @Option(names = "--direction", paramLabel = "DEGREES",
+            description = "Direction of the first object's motion, from right to down.")
+        private double directionDeg;
+
+        @Option(names = "--scale", paramLabel = "FACTOR", description = "Factor on all sizes.")
+        private double scale = SimulationOptions.defaults().scale();
+
+        @Option(names = "--contrast", paramLabel = "LOG",
+            description = "Logarithm of background light over an object's.")
+        private double contrast = SimulationOptions.defaults().contrast();
+
+        @Option(names = "--texture", paramLabel = "SD",
+            description = "Standard deviation of the background's log intensity.")
+        private double texture;
+
+        @Option(names = "--blur", paramLabel = "PX", description = "Standard deviation of the optical blur.")
+        private double blurPx = SimulationOptions.defaults().blurPx();
+
+        @Option(names = "--turns", paramLabel = "HZ", description = "Turns a second of rotating bars.")
+        private double turnsPerS = SimulationOptions.defaults().turnsPerS();
+
+        @Option(names = "--turn-round", description = "Let a camera pan slow down, turn round and come back.")
+        private boolean turnsRound;
+
+        @Option(names = "--field-of-view", paramLabel = "M",
+            description = "Width seen at the pendulum; 0 so that its swing fills it.")
+        private double fieldOfViewM;
+
+        @Option(names = "--seed", paramLabel = "N", description = "Seed of everything random; default: 1.")
+        private long seed = SimulationOptions.defaults().seed();
+    }
+
+    /** What sees it. */
+    private static final class SensorChoices {
+        @Option(names = "--chip", paramLabel = "CHIP", description = "The sensor; default: DAVIS240C.")
+        private String chip = "DAVIS240C";
+
+        @Option(names = "--noise", paramLabel = "HZ/PX", description = "Background activity.")
+        private double noiseHzPerPx = DvsModel.davis().noiseHzPerPx();
+
+        @Option(names = "--hot-pixels", paramLabel = "N", description = "Pixels that fire by themselves.")
+        private int hotPixels;
+
+        @Option(names = "--hot-pixel-rate", paramLabel = "HZ", description = "How often each of those fires.")
+        private double hotPixelHz = DvsModel.davis().hotPixelHz();
+
+        @Option(names = "--threshold-on", paramLabel = "LOG",
+            description = "Rise of log intensity that makes an event.")
+        private double onThreshold = DvsModel.davis().onThreshold();
+
+        @Option(names = "--threshold-off", paramLabel = "LOG",
+            description = "Fall of log intensity that makes an event.")
+        private double offThreshold = DvsModel.davis().offThreshold();
+
+        @Option(names = "--mismatch", paramLabel = "SD", description = "Standard deviation of the thresholds.")
+        private double mismatchSd = DvsModel.davis().mismatchSd();
+
+        @Option(names = "--jitter", paramLabel = "US", description = "Standard deviation of the latency.")
+        private double jitterSdUs = DvsModel.davis().jitterSdUs();
+
+        @Option(names = "--refractory", paramLabel = "US", description = "Time after an event that a pixel is blind.")
+        private double refractoryUs = DvsModel.davis().refractoryUs();
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        if (list) {
+            list(spec.commandLine().getOut());
+            return Main.OK;
+        }
+        Scene filmed = scene();
+        Chip chip = Chip.named(sensor.chip).orElseThrow(() ->
+            usage("--chip must be one of " + Chip.knownNames() + " but was \"" + sensor.chip + "\""));
+        SimulationOptions options = options(chip.sensor());
+        if (out == null) {
+            throw usage("Missing required option: '--out=DIR'");
+        }
+        Path recording = out.resolve(filmed.sceneName() + ".aedat");
+        Path truth = out.resolve(filmed.sceneName() + ".truth.csv");
+        for (Path file : List.of(recording, truth)) {
+            if (!force && Files.exists(file)) {
+                throw usage("[" + file + "] exists already; --force replaces it");
+            }
+        }
+        try {
+            Files.createDirectories(out);
+            long events = film(filmed, options, chip, recording, truth);
+            if (!quiet) {
+                spec.commandLine().getErr().println(String.format(Locale.ROOT, "%s: %,d events in %.3f s on %s",
+                    filmed.sceneName(), events, filmed.durationUs(options) * 1e-6, chip.name()));
+            }
+            return Main.OK;
+        } catch (IOException e) {
+            spec.commandLine().getErr().println("[" + out + "] cannot be written: " + e);
+            return Main.FAILED;
+        }
+    }
+
+    private static void list(PrintWriter to) {
+        for (Scene each : Scene.values()) {
+            to.println(String.format(Locale.ROOT, "%-16s %s", each.sceneName(), each.description()));
+        }
+    }
+
+    private Scene scene() {
+        if (sceneName == null) {
+            throw usage("Missing required parameter: 'SCENE'; known are " + Scene.names());
+        }
+        return Scene.named(sceneName)
+            .orElseThrow(() -> usage("unknown scene \"" + sceneName + "\"; known are " + Scene.names()));
+    }
+
+    private SimulationOptions options(SensorSize size) {
+        try {
+            DvsModel dvs = DvsModel.davis().withThresholds(sensor.onThreshold, sensor.offThreshold)
+                .withMismatchSd(sensor.mismatchSd).withJitterSdUs(sensor.jitterSdUs)
+                .withRefractoryUs(sensor.refractoryUs).withNoiseHzPerPx(sensor.noiseHzPerPx)
+                .withHotPixels(sensor.hotPixels, sensor.hotPixelHz);
+            return SimulationOptions.defaults().withSensor(size).withDurationUs(Math.round(scene.durationS * 1e6))
+                .withSpeedPxPerS(scene.speedPxPerS).withDirectionDeg(scene.directionDeg).withScale(scene.scale)
+                .withContrast(scene.contrast).withTexture(scene.texture).withBlurPx(scene.blurPx)
+                .withTurnsPerS(scene.turnsPerS).withTurnsRound(scene.turnsRound)
+                .withFieldOfViewM(scene.fieldOfViewM).withSeed(scene.seed).withDvs(dvs);
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+    }
+
+    private static long film(Scene filmed, SimulationOptions options, Chip chip, Path recording, Path truth)
+            throws IOException {
+        long events = 0;
+        try (ResultFiles files = new ResultFiles()) {
+            EventBatch batch = new EventBatch(BATCH);
+            Truth known = new Truth(BATCH);
+            try (SimulatedSource source = new SimulatedSource(filmed, options);
+                    Aedat2Writer aedat = new Aedat2Writer(files.create(recording), chip);
+                    TruthCsv csv = new TruthCsv(files.create(truth))) {
+                while (source.next(batch, known)) {
+                    aedat.write(batch);
+                    csv.write(batch, known);
+                    events += batch.size();
+                }
+            }
+            files.commit();
+        }
+        return events;
+    }
+
+    private ParameterException usage(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

@@ -1,0 +1,52 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.RecordingSummary;
+import io.github.sofas.recording.RecordingCounts;
+import io.github.sofas.recording.RecordingReader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What a reader met, in the words of the results. */
+final class Summaries {
+    private Summaries() {
+    }
+
+    /**
+     * Sums up a recording that was read as far as it goes.
+     *
+     * @param damage why it could not be read to its end; null where it was
+     */
+    static RecordingSummary of(Path recording, RecordingReader reader, EventSourceException damage) {
+        RecordingCounts counts = reader.counts();
+        Map<String, Long> byType = new LinkedHashMap<>();
+        byType.put("dvs_events", counts.events());
+        byType.put("aps_samples", counts.apsSamples());
+        byType.put("frames", counts.frames());
+        byType.put("imu_samples", counts.imuSamples());
+        byType.put("triggers", counts.triggers());
+        byType.put("invalid", counts.invalid());
+        byType.put("outside_sensor", counts.outsideSensor());
+        byType.put("steps_back_in_time", counts.stepsBack());
+        byType.put("time_wraps", counts.timeWraps());
+        byType.put("other_records", counts.otherRecords());
+        List<String> faults = new ArrayList<>(reader.faults());
+        if (damage != null) {
+            faults.add(damage.getMessage());
+        }
+        String format = reader.formatName() + reader.compression().map(how -> " (" + how + ")").orElse("");
+        return new RecordingSummary(recording.toString(), format, reader.chip().orElse(""), reader.sensor(),
+            counts.events(), reader.firstTimeUs(), reader.lastTimeUs(), byType, damage == null, faults);
+    }
+
+    /** DVS events that were in the file and not delivered, by reason. */
+    static Map<String, Long> dropped(RecordingCounts counts) {
+        Map<String, Long> dropped = new LinkedHashMap<>();
+        dropped.put("invalid", counts.invalid());
+        dropped.put("outside_sensor", counts.outsideSensor());
+        return dropped;
+    }
+}

@@ -1,0 +1,39 @@
+package io.github.sofas.export;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
+/** JSON as this program writes it: UTF-8, indented by two, LF on every system, numbers without exponent. */
+public final class Json {
+    private static final JsonFactory FACTORY = new JsonFactory();
+
+    private Json() {
+    }
+
+    /**
+     * Starts a document that ends in a line feed.
+     *
+     * @param out left open when the generator is closed
+     * @throws IOException where it cannot be written
+     */
+    public static JsonGenerator open(OutputStream out) throws IOException {
+        DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
+        DefaultPrettyPrinter printer = new DefaultPrettyPrinter().withObjectIndenter(indenter)
+            .withArrayIndenter(indenter);
+        return FACTORY.createGenerator(out).setPrettyPrinter(printer)
+            .disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET);
+    }
+
+    /** A number with as many decimals as it means. */
+    static void write(JsonGenerator json, String name, double value, int decimals) throws IOException {
+        json.writeFieldName(name);
+        // As text, because the generator would write a BigDecimal like 0.000000 as 0E-6.
+        json.writeNumber(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_UP).toPlainString());
+    }
+}

@@ -1,0 +1,67 @@
+package io.github.sofas.export;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import io.github.sofas.event.SensorSize;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What is in a recording.
+ *
+ * @param file its path as it was given
+ * @param format name and version of the format
+ * @param chip name of the sensor chip, empty where unknown
+ * @param sensor the pixel array
+ * @param events DVS events delivered
+ * @param firstTimeUs time of the first one in µs; 0 where there is none
+ * @param lastTimeUs time of the last one in µs; 0 where there is none
+ * @param counts how many of each kind the file holds, by name, in the order shown
+ * @param complete whether it was read to its end without damage
+ * @param faults what is wrong with it, one message each; empty for a sound recording
+ */
+public record RecordingSummary(String file, String format, String chip, SensorSize sensor, long events,
+                               long firstTimeUs, long lastTimeUs, Map<String, Long> counts, boolean complete,
+                               List<String> faults) {
+
+    /** From the first event to the last in seconds. */
+    public double durationS() {
+        return (lastTimeUs - firstTimeUs) / 1e6;
+    }
+
+    /** DVS events a second of the recording; 0 where it has no duration. */
+    public double eventsPerS() {
+        return durationS() > 0 ? events / durationS() : 0;
+    }
+
+    /**
+     * Writes a JSON object.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public void write(JsonGenerator json) throws IOException {
+        json.writeStartObject();
+        json.writeStringField("file", file);
+        json.writeStringField("format", format);
+        json.writeStringField("chip", chip);
+        json.writeNumberField("width", sensor.width());
+        json.writeNumberField("height", sensor.height());
+        json.writeNumberField("events", events);
+        json.writeNumberField("first_t_us", firstTimeUs);
+        json.writeNumberField("last_t_us", lastTimeUs);
+        Json.write(json, "duration_s", durationS(), 6);
+        Json.write(json, "events_per_s", eventsPerS(), 1);
+        json.writeObjectFieldStart("counts");
+        for (Map.Entry<String, Long> count : counts.entrySet()) {
+            json.writeNumberField(count.getKey(), count.getValue());
+        }
+        json.writeEndObject();
+        json.writeBooleanField("complete", complete);
+        json.writeArrayFieldStart("faults");
+        for (String fault : faults) {
+            json.writeString(fault);
+        }
+        json.writeEndArray();
+        json.writeEndObject();
+    }
+}

@@ -1,0 +1,87 @@
+package io.github.sofas.export;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Files that appear together and whole, or not at all. Each is written beside its place under a hidden temporary name;
+ * {@link #commit()} renames all of them. Closing without a commit deletes what was written, and so does the end of the
+ * program by a signal.
+ */
+public final class ResultFiles implements AutoCloseable {
+    private final Map<Path, Path> temporaryByFinal = new LinkedHashMap<>();
+    private final Thread atShutdown = new Thread(this::discard, "discard unfinished results");
+    private boolean over;
+
+    /** Makes an empty group. */
+    public ResultFiles() {
+        try {
+            Runtime.getRuntime().addShutdownHook(atShutdown);
+        } catch (IllegalStateException e) {
+            // The program is ending: nothing may be started.
+            over = true;
+        }
+    }
+
+    /**
+     * Starts a file; its folder must exist.
+     *
+     * @param file where it will be after the commit; one that stands there until then is replaced
+     * @return unbuffered; the caller closes it before the commit
+     * @throws IOException where it cannot be made
+     */
+    public synchronized OutputStream create(Path file) throws IOException {
+        if (over) {
+            throw new IOException("the program is ending");
+        }
+        // The process id keeps two runs into one folder apart.
+        Path temporary = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        temporaryByFinal.put(file, temporary);
+        return Files.newOutputStream(temporary, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE);
+    }
+
+    /**
+     * Gives all files their names. A signal that arrives meanwhile waits until all have theirs.
+     *
+     * @throws IOException where one cannot be renamed or the program is ending
+     */
+    public synchronized void commit() throws IOException {
+        if (over) {
+            throw new IOException("the program is ending");
+        }
+        for (Map.Entry<Path, Path> entry : temporaryByFinal.entrySet()) {
+            Files.move(entry.getValue(), entry.getKey(), StandardCopyOption.ATOMIC_MOVE);
+        }
+        over = true;
+    }
+
+    private synchronized void discard() {
+        if (over) {
+            return;
+        }
+        over = true;
+        for (Path temporary : temporaryByFinal.values()) {
+            // File.delete says nothing where the file is gone: there is no one left to tell.
+            temporary.toFile().delete();
+        }
+    }
+
+    /** Deletes what was not committed. */
+    @Override
+    public void close() {
+        discard();
+        try {
+            Runtime.getRuntime().removeShutdownHook(atShutdown);
+        } catch (IllegalStateException e) {
+            // The program is ending already; the hook finds nothing to do.
+            assert over;
+        }
+    }
+}

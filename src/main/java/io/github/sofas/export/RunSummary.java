@@ -1,0 +1,106 @@
+package io.github.sofas.export;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import io.github.sofas.flow.Segment;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The figures of one run over one recording.
+ *
+ * @param version of the program
+ * @param recording what was read
+ * @param method name of the method that labelled the events
+ * @param preset name of the preset that the parameters started from; empty where the method has none
+ * @param parameters every parameter by its option's name: a Number, Boolean or String each
+ * @param eventsWithFlow how many of the recording's events got flow
+ * @param segments all track planes
+ * @param eventsDropped how many events were not delivered, by reason
+ * @param seconds where the time went
+ * @param peakHeapBytes most heap that the whole program, other recordings included, had in use until now
+ */
+public record RunSummary(String version, RecordingSummary recording, String method, String preset,
+                         Map<String, Object> parameters, long eventsWithFlow, List<Segment> segments,
+                         Map<String, Long> eventsDropped, Seconds seconds, long peakHeapBytes) {
+
+    /**
+     * Where the time went, in seconds.
+     *
+     * @param wall from the opening of the recording to its last event written
+     * @param decode reading and decoding
+     * @param engine flow and segments
+     * @param output making and writing the rows
+     */
+    public record Seconds(double wall, double decode, double engine, double output) {
+    }
+
+    /** Events with flow among all, 0 to 1; 0 where there is no event. */
+    public double shareWithFlow() {
+        return recording.events() == 0 ? 0 : (double) eventsWithFlow / recording.events();
+    }
+
+    /** Events a second of wall time; 0 where none passed. */
+    public double eventsPerSecond() {
+        return seconds.wall > 0 ? recording.events() / seconds.wall : 0;
+    }
+
+    /** Track planes of one fate. */
+    public long count(Segment.Fate fate) {
+        return segments.stream().filter(segment -> segment.fate() == fate).count();
+    }
+
+    /**
+     * Writes a JSON document; leaves the stream open.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public void write(OutputStream out) throws IOException {
+        try (JsonGenerator json = Json.open(out)) {
+            json.writeStartObject();
+            json.writeStringField("version", version);
+            json.writeFieldName("recording");
+            recording.write(json);
+            json.writeStringField("method", method);
+            json.writeStringField("preset", preset);
+            json.writeObjectFieldStart("parameters");
+            for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
+                json.writeFieldName(parameter.getKey());
+                Object value = parameter.getValue();
+                if (value instanceof Number) {
+                    // Its own text: 20 stays 20, 0.1f stays 0.1.
+                    json.writeNumber(value.toString());
+                } else if (value instanceof Boolean) {
+                    json.writeBoolean((Boolean) value);
+                } else {
+                    json.writeString(value.toString());
+                }
+            }
+            json.writeEndObject();
+            json.writeNumberField("events", recording.events());
+            json.writeNumberField("events_with_flow", eventsWithFlow);
+            Json.write(json, "share_with_flow", shareWithFlow(), 6);
+            json.writeObjectFieldStart("events_dropped");
+            for (Map.Entry<String, Long> dropped : eventsDropped.entrySet()) {
+                json.writeNumberField(dropped.getKey(), dropped.getValue());
+            }
+            json.writeEndObject();
+            json.writeObjectFieldStart("segments");
+            json.writeNumberField("all", segments.size());
+            json.writeNumberField("alive", count(Segment.Fate.ALIVE));
+            json.writeNumberField("merged", count(Segment.Fate.MERGED));
+            json.writeNumberField("removed", count(Segment.Fate.REMOVED));
+            json.writeEndObject();
+            json.writeObjectFieldStart("seconds");
+            Json.write(json, "wall", seconds.wall, 6);
+            Json.write(json, "decode", seconds.decode, 6);
+            Json.write(json, "engine", seconds.engine, 6);
+            Json.write(json, "output", seconds.output, 6);
+            json.writeEndObject();
+            Json.write(json, "events_per_second", eventsPerSecond(), 1);
+            json.writeNumberField("peak_heap_bytes", peakHeapBytes);
+            json.writeEndObject();
+        }
+    }
+}

@@ -1,0 +1,148 @@
+package io.github.sofas.cli;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.evaluate.TruthCsvReader;
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.recording.Aedat2Writer;
+import io.github.sofas.recording.Chip;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+public class EvaluateCommandTest {
+    private static final int EVENTS = 40;
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+    private final List<String> lines = new ArrayList<>();
+    private Path recording;
+    private Path truth;
+
+    /** Forty events a millisecond apart along a row of a DVS128, of object 1. */
+    @Before
+    public void writeRecordingAndTruth() throws IOException {
+        recording = folder.getRoot().toPath().resolve("edge.aedat");
+        truth = folder.getRoot().toPath().resolve("edge.truth.csv");
+        EventBatch batch = new EventBatch(EVENTS);
+        lines.add(TruthCsvReader.HEADER);
+        for (int i = 0; i < EVENTS; i++) {
+            batch.add(1000L * i, 20 + i, 64, 1);
+            lines.add(1000 * i + "," + (20 + i) + ",64,1,1000,0,1");
+        }
+        try (Aedat2Writer writer = new Aedat2Writer(recording, Chip.named("DVS128").orElseThrow())) {
+            writer.write(batch);
+        }
+        Files.write(truth, lines);
+    }
+
+    private int evaluate(String... more) {
+        List<String> arguments = new ArrayList<>(List.of("evaluate", recording.toString(), "--truth",
+            truth.toString()));
+        arguments.addAll(List.of(more));
+        return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments.toArray(new String[0]));
+    }
+
+    private void assertError(int exitCode, String message, String... more) {
+        assertEquals(exitCode, evaluate(more));
+        assertEquals(message, err.toString().lines().findFirst().orElse(""));
+        assertEquals("", out.toString());
+    }
+
+    @Test
+    public void printsTheFiguresOfSofas() {
+        assertEquals(0, evaluate());
+        assertTrue(out.toString(), out.toString().startsWith(recording
+            + ": 40 events, 34 counted (without the first 15.0 % of the time)\nsofas: "));
+        assertEquals("", err.toString());
+    }
+
+    @Test
+    public void leavesOutTheShareThatIsAskedFor() {
+        assertEquals(0, evaluate("--skip-first-share", "0.5"));
+        // 39 ms: half is 19.5 ms, so that events 20 to 39 count.
+        assertTrue(out.toString(), out.toString().contains("40 events, 20 counted (without the first 50.0 %"));
+    }
+
+    @Test
+    public void writesJsonAndCsv() throws IOException {
+        Path json = folder.getRoot().toPath().resolve("figures.json");
+        Path csv = folder.getRoot().toPath().resolve("figures.csv");
+        assertEquals(0, evaluate("--method", "lucas-kanade", "--derivative", "backward-difference", "--json",
+            json.toString(), "--csv", csv.toString()));
+        String text = Files.readString(json);
+        assertTrue(text, text.contains("\"method\" : \"lucas-kanade\""));
+        assertTrue(text, text.contains("\"derivative\" : \"backward-difference\""));
+        assertTrue(text, text.contains("\"events_counted\" : 34,"));
+        assertTrue(Files.readString(csv).startsWith("section,of,figure,value\nflow,all,events,34\n"));
+    }
+
+    @Test
+    public void refusesResultsThatExistUnlessForced() throws IOException {
+        Path csv = folder.newFile("figures.csv").toPath();
+        assertError(2, "[" + csv + "] exists already; --force replaces it", "--csv", csv.toString());
+        assertEquals(0, evaluate("--csv", csv.toString(), "--force"));
+        assertTrue(Files.size(csv) > 0);
+    }
+
+    @Test
+    public void namesTheLineWhereTruthAndRecordingDiffer() throws IOException {
+        lines.set(5, "4000,25,64,1,1000,0,1");
+        Files.write(truth, lines);
+        assertError(1, "[edge.truth.csv] line 6: must be event 4 of the recording (t_us 4000, x 24, y 64, polarity 1) "
+            + "but was (t_us 4000, x 25, y 64, polarity 1)");
+    }
+
+    @Test
+    public void evaluatesADamagedRecordingUpToTheDamage() throws IOException {
+        byte[] bytes = Files.readAllBytes(recording);
+        Files.write(recording, java.util.Arrays.copyOf(bytes, bytes.length - 3));
+        assertEquals(1, evaluate());
+        assertTrue(out.toString(), out.toString().contains(": 39 events, "));
+        assertTrue(err.toString(), err.toString().startsWith("[edge.aedat] event 39 at byte "));
+    }
+
+    @Test
+    public void refusesTruthThatIsNotThere() throws IOException {
+        Files.delete(truth);
+        assertError(2, "[" + truth + "] no such file");
+    }
+
+    @Test
+    public void refusesAShareOfOne() {
+        assertError(2, "--skip-first-share must be at least 0 and below 1 but was 1.0", "--skip-first-share", "1");
+    }
+
+    @Test
+    public void refusesOptionsOfAnotherMethod() {
+        assertError(2, "--preset is of --method sofas, not of local-planes", "--method", "local-planes", "--preset",
+            "paper");
+    }
+
+    @Test
+    public void refusesADerivativeWithoutLucasKanade() {
+        assertError(2, "--derivative is of --method lucas-kanade, not of sofas", "--derivative",
+            "central-difference");
+    }
+
+    @Test
+    public void writesNothingWhereTheTruthIsWrong() throws IOException {
+        Path csv = folder.getRoot().toPath().resolve("figures.csv");
+        Files.write(truth, lines.subList(0, 10));
+        assertEquals(1, evaluate("--csv", csv.toString()));
+        assertFalse(Files.exists(csv));
+    }
+}
