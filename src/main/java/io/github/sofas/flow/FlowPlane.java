@@ -18,8 +18,6 @@ final class FlowPlane {
     /** Positions are in 1/256 px, cells 512 of those. */
     private static final int POSITION_BITS = 8;
     private static final int CELL_BITS = POSITION_BITS + 1;
-    private static final int TICK_BITS = 10;
-    private static final int NEVER = Integer.MIN_VALUE / 2;
     private static final int SHIFT = Projection.BITS - POSITION_BITS;
 
     private final int n;
@@ -52,12 +50,6 @@ final class FlowPlane {
     private long total;
     private boolean started;
 
-    // when each pixel fired last, with a border of one; ticks of 1,024 µs since the first event
-    private final int[] lastTick;
-    private final int lastColumns;
-    /** Time in which the slowest structure crosses a pixel, in ticks. */
-    private final int companyTicks;
-
     // a block, gathered
     private final int[] blockX = new int[BLOCK];
     private final int[] blockY = new int[BLOCK];
@@ -79,10 +71,6 @@ final class FlowPlane {
         metric = new long[n * n];
         count = new int[n];
         oldest = new int[n];
-        lastColumns = sensorWidth + 2;
-        lastTick = new int[lastColumns * (sensorHeight + 2)];
-        Arrays.fill(lastTick, NEVER);
-        companyTicks = (int) (1e6 / p.slowestPxPerS()) >> TICK_BITS;
         double range = p.fastestPxPerS() / p.slowestPxPerS();
         for (int i = 0; i < n; i++) {
             speed[i] = p.slowestPxPerS() * Math.pow(range, i / (n - 1.0));
@@ -100,17 +88,11 @@ final class FlowPlane {
         return Integer.highestOneBit(least - 1) << 1;
     }
 
-    /**
-     * Adds an event to the block, unless no pixel beside its own fired in the time in which even the slowest structure
-     * crosses a pixel: then it is noise, and projecting it would be for nothing.
-     */
+    /** Adds an event to the block. */
     void add(int eventX, int eventY, long eventUs, int polarity) {
         if (!started) {
             started = true;
             epochUs = eventUs;
-        }
-        if (isAlone(eventX, eventY, eventUs)) {
-            return;
         }
         if (head == settled) {
             blockStartUs = eventUs;
@@ -123,18 +105,6 @@ final class FlowPlane {
         x[i] = (short) eventX;
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
-    }
-
-    private boolean isAlone(int eventX, int eventY, long eventUs) {
-        int tick = (int) ((eventUs - epochUs) >> TICK_BITS);
-        int since = tick - companyTicks;
-        int[] last = lastTick;
-        int c = (eventY + 1) * lastColumns + eventX + 1;
-        last[c] = tick;
-        int up = c - lastColumns;
-        int down = c + lastColumns;
-        return last[up - 1] < since && last[up] < since && last[up + 1] < since && last[c - 1] < since
-            && last[c + 1] < since && last[down - 1] < since && last[down] < since && last[down + 1] < since;
     }
 
     private void grow() {
@@ -345,7 +315,6 @@ final class FlowPlane {
         Arrays.fill(metric, 0);
         Arrays.fill(count, 0);
         Arrays.fill(oldest, 0);
-        Arrays.fill(lastTick, NEVER);
         head = 0;
         settled = 0;
         total = 0;

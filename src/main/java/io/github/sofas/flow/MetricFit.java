@@ -73,8 +73,8 @@ final class MetricFit {
         vote = new byte[capacity];
         alongX = new float[capacity];
         alongY = new float[capacity];
-        width = (int) (sensorWidth / cellPx) + 2 + 2 * BORDER;
-        height = (int) (sensorHeight / cellPx) + 2 + 2 * BORDER;
+        width = (int) (sensorWidth / cellPx) + 3 + 2 * BORDER;
+        height = (int) (sensorHeight / cellPx) + 3 + 2 * BORDER;
         f = new int[width * height];
     }
 
@@ -168,10 +168,10 @@ final class MetricFit {
             lowY = Math.min(lowY, placeY[i]);
             highY = Math.max(highY, placeY[i]);
         }
-        originX = lowX - BORDER * SUB;
-        originY = lowY - BORDER * SUB;
-        columns = Math.min(width, (highX - lowX) / SUB + 2 + 2 * BORDER);
-        rows = Math.min(height, (highY - lowY) / SUB + 2 + 2 * BORDER);
+        originX = (lowX & -SUB) - BORDER * SUB;
+        originY = (lowY & -SUB) - BORDER * SUB;
+        columns = Math.min(width, (highX - lowX) / SUB + 3 + 2 * BORDER);
+        rows = Math.min(height, (highY - lowY) / SUB + 3 + 2 * BORDER);
     }
 
     /** Sets an upright frame with equal distances. */

@@ -261,8 +261,8 @@ final class TrackPlane {
             double det = xx * yy - lossXy * lossXy;
             double rx = lossXx * stepX + lossXy * stepY;
             double ry = lossXy * stepX + lossYy * stepY;
-            stepX = (yy * rx - lossXy * ry) / det;
-            stepY = (xx * ry - lossXy * rx) / det;
+            stepX = det > 0 ? (yy * rx - lossXy * ry) / det : 0;
+            stepY = det > 0 ? (xx * ry - lossXy * rx) / det : 0;
         }
         motion.vx += stepX;
         motion.vy += stepY;
@@ -294,7 +294,7 @@ final class TrackPlane {
         double across = motion.ay * axisX - motion.ax * axisY + fit.step();
         rawAcross += p.changeGain() * (across - rawAcross);
         // along a straight edge nothing is known, of acceleration still less than of velocity
-        across = p.foresight() * believe(rawAcross, acceleration) * flatness / (flatness + p.flatChange());
+        across = p.foresight() * believe(rawAcross, acceleration) * shareOf(flatness, flatness + p.flatChange());
         motion.ax = along * axisX - across * axisY;
         motion.ay = along * axisY + across * axisX;
         double radius = contour.radius();
@@ -304,14 +304,19 @@ final class TrackPlane {
             rawOmega += p.changeGain() * (motion.omega + fit.step() - rawOmega);
             // nor is the rotation of a disc known
             double shown = fit.loss() * rotation * rotation;
-            motion.omega = believe(rawOmega, rotation) * shown / (shown + p.flatChange() * bestKnown);
+            motion.omega = believe(rawOmega, rotation) * shareOf(shown, shown + p.flatChange() * bestKnown);
         }
     }
 
     /** A change that shifts the ends of the window by no more than the noise is none. */
     private double believe(double value, double perPx) {
         double px = value / perPx;
-        return value * px * px / (px * px + p.bendPx() * p.bendPx());
+        return value * shareOf(px * px, px * px + p.bendPx() * p.bendPx());
+    }
+
+    /** A share of what is known; where nothing is known, none. */
+    private static double shareOf(double part, double whole) {
+        return whole > 0 ? part / whole : 0;
     }
 
     /** While another structure crosses, the motion is held steady. */

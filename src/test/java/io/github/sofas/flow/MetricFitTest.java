@@ -116,7 +116,7 @@ public class MetricFitTest {
 
     @Test
     public void eventThatLeavesThePlaneMeetsNobody() {
-        // 1000 px/s for a second: beyond the margin of 40 cells
+        // 1000 px/s for a second: beyond the border of 20 cells
         List<Vote> votes = List.of(new Vote(3, 3, -1, 1), new Vote(3, 3, -1, 1), new Vote(3, 3, 1, 1),
             new Vote(3, 3, 1, 1));
         assertEquals(0, fast(votes, 1, 1000, 0), 0);

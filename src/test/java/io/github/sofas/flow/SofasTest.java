@@ -168,6 +168,32 @@ public class SofasTest {
     }
 
     @Test
+    public void velocitiesAndBoxesStayFiniteInAnyStream() {
+        // where ON and OFF cancel, where nothing moves, where all is over for seconds
+        SensorSize tiny = new SensorSize(32, 24);
+        for (SofasParameters p : PRESETS) {
+            for (int seed = 0; seed < 40; seed++) {
+                List<Event> events = Streams.chance(seed, tiny, 4000, 0, 600);
+                List<Segment> all = new ArrayList<>();
+                Sofas sofas = new Sofas(tiny, p, all::add);
+                FlowOutput output = new FlowOutput(50);
+                for (int i = 0; i < events.size(); i += 50) {
+                    sofas.process(Streams.batch(events.subList(i, i + 50)), output);
+                    for (int k = 0; k < 50; k++) {
+                        assertTrue(p.preset() + " " + seed, Float.isFinite(output.vxPxPerS[k] + output.vyPxPerS[k]));
+                    }
+                    all.addAll(sofas.segments());
+                }
+                for (Segment s : all) {
+                    assertTrue(seed + " " + s, Float.isFinite(s.vxPxPerS() + s.vyPxPerS()));
+                    assertTrue(seed + " " + s, 0 <= s.minX() && s.minX() <= s.maxX() && s.maxX() < 32);
+                    assertTrue(seed + " " + s, 0 <= s.minY() && s.minY() <= s.maxY() && s.maxY() < 24);
+                }
+            }
+        }
+    }
+
+    @Test
     public void outputThatIsTooSmallIsRefusedBeforeAnyEvent() {
         for (SofasParameters p : PRESETS) {
             Sofas sofas = new Sofas(SENSOR, p);
