@@ -9,10 +9,12 @@ import java.util.Arrays;
  */
 final class LoneEvents {
     private static final int TICK_BITS = 10;
+    /** Twelve days; then all is forgotten, and ticks begin at 0 again. */
+    private static final long LAST_TICK = 1 << 30;
     private static final int NEVER = Integer.MIN_VALUE / 2;
 
     private final int columns;
-    /** When each pixel fired last, with a border of one pixel; in ticks of 1,024 µs since the first event. */
+    /** When each pixel fired last, with a border of one pixel; in ticks of 1,024 µs since a first event. */
     private final int[] lastTick;
     private final int companyTicks;
     private long firstUs;
@@ -27,7 +29,8 @@ final class LoneEvents {
 
     /** Whether the event is alone; it is company for those that follow. */
     boolean isAlone(int x, int y, long timeUs) {
-        if (!started) {
+        if (!started || (timeUs - firstUs) >> TICK_BITS > LAST_TICK) {
+            reset();
             started = true;
             firstUs = timeUs;
         }
