@@ -31,7 +31,9 @@ public class ArchitectureTest {
         "baseline", Set.of("event", "flow"),
         "simulate", Set.of("event"),
         "evaluate", Set.of("event", "flow", "recording", "export", "baseline", "simulate"),
-        "cli", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate", "evaluate"));
+        "benchmark", Set.of("event", "flow", "recording", "export", "simulate"),
+        "cli", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate", "evaluate",
+            "benchmark"));
 
     private static final JavaClasses MAIN = new ClassFileImporter()
         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)

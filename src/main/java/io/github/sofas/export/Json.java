@@ -30,8 +30,12 @@ public final class Json {
             .disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET);
     }
 
-    /** A number with as many decimals as it means. */
-    static void write(JsonGenerator json, String name, double value, int decimals) throws IOException {
+    /**
+     * Writes a number with as many decimals as it means.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public static void write(JsonGenerator json, String name, double value, int decimals) throws IOException {
         json.writeFieldName(name);
         // As text, because the generator would write a BigDecimal like 0.000000 as 0E-6.
         json.writeNumber(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_UP).toPlainString());

@@ -1,0 +1,89 @@
+package io.github.sofas.benchmark;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSource;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The events of a recording, whole in memory and cut into batches.
+ *
+ * @param sensor that they come from
+ * @param batches in order of time, none empty
+ * @param size how many events there are
+ */
+record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
+
+    /** Where a batch ends. */
+    @FunctionalInterface
+    private interface Cut {
+        boolean between(EventBatch batch, int size, long nextTimeUs);
+    }
+
+    /** Reads a source to its end. */
+    static EventsInMemory read(EventSource source, int batchSize) throws EventSourceException {
+        List<EventBatch> batches = new ArrayList<>();
+        EventBatch batch = new EventBatch(batchSize);
+        long size = 0;
+        while (source.next(batch)) {
+            batches.add(part(batch, 0, batch.size()));
+            size += batch.size();
+        }
+        return new EventsInMemory(source.sensor(), batches, size);
+    }
+
+    private static EventBatch part(EventBatch from, int start, int size) {
+        EventBatch part = new EventBatch(size);
+        System.arraycopy(from.timeUs, start, part.timeUs, 0, size);
+        System.arraycopy(from.x, start, part.x, 0, size);
+        System.arraycopy(from.y, start, part.y, 0, size);
+        System.arraycopy(from.polarity, start, part.polarity, 0, size);
+        part.setSize(size);
+        return part;
+    }
+
+    /** The same events in packets as a camera sends them: one for each period of the given length with events in it. */
+    EventsInMemory packetsOfTime(long us) {
+        return cut((packet, count, nextUs) -> Math.floorDiv(nextUs, us) != Math.floorDiv(packet.timeUs[0], us));
+    }
+
+    /** The same events in packets of the given number; the last may hold fewer. */
+    EventsInMemory packetsOfEvents(int events) {
+        return cut((packet, count, nextTimeUs) -> count == events);
+    }
+
+    private EventsInMemory cut(Cut cut) {
+        List<EventBatch> packets = new ArrayList<>();
+        EventBatch open = new EventBatch(1024);
+        for (EventBatch batch : batches) {
+            for (int i = 0; i < batch.size(); i++) {
+                int count = open.size();
+                if (count > 0 && cut.between(open, count, batch.timeUs[i])) {
+                    packets.add(part(open, 0, count));
+                    open.clear();
+                }
+                if (open.isFull()) {
+                    EventBatch larger = new EventBatch(2 * open.capacity());
+                    System.arraycopy(open.timeUs, 0, larger.timeUs, 0, count);
+                    System.arraycopy(open.x, 0, larger.x, 0, count);
+                    System.arraycopy(open.y, 0, larger.y, 0, count);
+                    System.arraycopy(open.polarity, 0, larger.polarity, 0, count);
+                    larger.setSize(count);
+                    open = larger;
+                }
+                open.add(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
+            }
+        }
+        if (open.size() > 0) {
+            packets.add(part(open, 0, open.size()));
+        }
+        return new EventsInMemory(sensor, packets, size);
+    }
+
+    /** The size of the largest batch; 1 where there is none. */
+    int largestBatch() {
+        return batches.stream().mapToInt(EventBatch::size).max().orElse(1);
+    }
+}

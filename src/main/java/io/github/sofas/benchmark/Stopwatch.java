@@ -1,0 +1,59 @@
+package io.github.sofas.benchmark;
+
+import io.github.sofas.event.EventSourceException;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+
+/** Times repeated runs of a part, and holds all of them to one result. */
+final class Stopwatch {
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    private final BenchmarkOptions options;
+
+    /** One run of one part. */
+    @FunctionalInterface
+    interface Run {
+        void run() throws EventSourceException, IOException;
+    }
+
+    /** Gives the checksum of what the run before has left; not timed. */
+    @FunctionalInterface
+    interface Result {
+        long checksum() throws EventSourceException, IOException;
+    }
+
+    Stopwatch(BenchmarkOptions options) {
+        this.options = options;
+    }
+
+    /**
+     * Warms up and times.
+     *
+     * @param part what is timed, for messages
+     * @throws IllegalStateException where a run's result differs from that of the one before
+     */
+    Rates time(String part, long events, Run run, Result result) throws EventSourceException, IOException {
+        for (int i = 0; i < options.warmUps(); i++) {
+            run.run();
+        }
+        long checksum = result.checksum();
+        long[] nanos = new long[options.runs()];
+        long[] cpuNanos = new long[nanos.length];
+        for (int i = 0; i < nanos.length; i++) {
+            // Rubbish of the run before is not this one's.
+            Memory.collect();
+            long cpuStart = THREADS.getCurrentThreadCpuTime();
+            long start = System.nanoTime();
+            run.run();
+            nanos[i] = System.nanoTime() - start;
+            cpuNanos[i] = THREADS.getCurrentThreadCpuTime() - cpuStart;
+            long again = result.checksum();
+            if (again != checksum) {
+                throw new IllegalStateException(String.format("the results of %s must be the same in every run but "
+                    + "their checksums were %016x and %016x", part, checksum, again));
+            }
+        }
+        return Rates.of(events, nanos, cpuNanos, checksum);
+    }
+}
