@@ -1,0 +1,2 @@
+/** Benchmarks of the kernels. */
+package io.github.sofas.export;
