@@ -237,13 +237,21 @@ public record SofasParameters(
             neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight, maxBendPx,
             flatChange, changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare,
             mergeVelocity, mergeLoss, mergeGapShare);
-        if (maxLifetimePx < lifetimePx) {
-            throw new IllegalArgumentException("maxLifetimePx must be at least lifetimePx " + plain(lifetimePx)
-                + " but was " + plain(maxLifetimePx));
+        if (preset == Preset.DEFAULT) {
+            requireInOrder("maxLifetimePx", maxLifetimePx, "lifetimePx", lifetimePx);
         }
+        requireInOrder("maxPerturbationDeg", maxPerturbationDeg, "minPerturbationDeg", minPerturbationDeg);
+        requireInOrder("maxStepPx", maxStepPx, "minStepPx", minStepPx);
         if (fastestPxPerS < 2 * slowestPxPerS) {
             throw new IllegalArgumentException("fastestPxPerS must be at least twice slowestPxPerS "
                 + plain(slowestPxPerS) + " but was " + plain(fastestPxPerS));
+        }
+    }
+
+    private static void requireInOrder(String greater, double value, String smaller, double bound) {
+        if (value < bound) {
+            throw new IllegalArgumentException(greater + " must be at least " + smaller + " " + plain(bound)
+                + " but was " + plain(value));
         }
     }
 

@@ -1,0 +1,165 @@
+package io.github.sofas.flow;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.Skipped;
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.recording.RecordingOptions;
+import io.github.sofas.recording.RecordingReader;
+import io.github.sofas.recording.Recordings;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.Before;
+import org.junit.Test;
+
+/** The default preset on recordings of real cameras, which the project may not hold itself; y is down. */
+public class RealScenesTest {
+    private static final Path FOLDER = Path.of("..", "shared", "recordings");
+
+    /** An event with flow. */
+    private static final class Labelled {
+        final double timeS;
+        final int y;
+        final float vx;
+        final float vy;
+        final int segment;
+
+        Labelled(double timeS, int y, float vx, float vy, int segment) {
+            this.timeS = timeS;
+            this.y = y;
+            this.vx = vx;
+            this.vy = vy;
+            this.segment = segment;
+        }
+    }
+
+    private final List<Labelled> labelled = new ArrayList<>();
+    private long events;
+
+    @Before
+    public void needsTheFolder() {
+        if (!Files.isDirectory(FOLDER)) {
+            throw Skipped.because("needs " + FOLDER + ", which is not part of the project");
+        }
+    }
+
+    private void run(String name, String chip) throws Exception {
+        try (RecordingReader reader = Recordings.open(FOLDER.resolve(name),
+                RecordingOptions.defaults().withChip(chip))) {
+            Sofas sofas = new Sofas(reader.sensor(), SofasParameters.defaults());
+            EventBatch batch = new EventBatch(4096);
+            FlowOutput flow = new FlowOutput(4096);
+            long firstUs = Long.MAX_VALUE;
+            while (reader.next(batch)) {
+                sofas.process(batch, flow);
+                firstUs = Math.min(firstUs, batch.timeUs[0]);
+                for (int i = 0; i < batch.size(); i++) {
+                    events++;
+                    if (flow.segment[i] != 0) {
+                        labelled.add(new Labelled((batch.timeUs[i] - firstUs) * 1e-6, batch.y[i], flow.vxPxPerS[i],
+                            flow.vyPxPerS[i], flow.segment[i]));
+                    }
+                }
+            }
+        }
+    }
+
+    private double shareWithFlow() {
+        return (double) labelled.size() / events;
+    }
+
+    private List<Labelled> between(double fromS, double toS, int fromY, int toY) {
+        return labelled.stream().filter(e -> e.timeS >= fromS && e.timeS < toS && e.y >= fromY && e.y < toY).toList();
+    }
+
+    private static double medianVx(List<Labelled> of) {
+        List<Float> values = new ArrayList<>(of.stream().map(e -> e.vx).toList());
+        Collections.sort(values);
+        return values.get(values.size() / 2);
+    }
+
+    private static double medianVy(List<Labelled> of) {
+        List<Float> values = new ArrayList<>(of.stream().map(e -> e.vy).toList());
+        Collections.sort(values);
+        return values.get(values.size() / 2);
+    }
+
+    private static Map<Integer, List<Labelled>> bySegment(List<Labelled> of) {
+        Map<Integer, List<Labelled>> segments = new HashMap<>();
+        of.forEach(e -> segments.computeIfAbsent(e.segment, id -> new ArrayList<>()).add(e));
+        return segments;
+    }
+
+    /** The segment with the most events in a part of the picture and the time. */
+    private static int main(List<Labelled> of) {
+        return Collections.max(bySegment(of).entrySet(),
+            Map.Entry.comparingByValue((a, b) -> Integer.compare(a.size(), b.size()))).getKey();
+    }
+
+    @Test
+    public void squareMovesAsItWasDrawn() throws Exception {
+        run("synthetic-square.aedat", "DAVIS240C");
+        assertTrue("share " + shareWithFlow(), shareWithFlow() >= 0.7);
+        assertEquals(20, medianVx(labelled), 1);
+        assertEquals(-20, medianVy(labelled), 1);
+    }
+
+    @Test
+    public void boxesMoveAsTheGyroSays() throws Exception {
+        run("boxes-translation.aedat", null);
+        assertTrue("share " + shareWithFlow(), shareWithFlow() >= 0.6);
+        double[] timeS = {0.3, 0.8, 1.3, 1.8};
+        double[] gyro = {27.7, 25.1, 28.8, 28.0};
+        for (int i = 0; i < 4; i++) {
+            assertEquals("at " + timeS[i] + " s", gyro[i],
+                medianVx(between(timeS[i] - 0.05, timeS[i] + 0.05, 0, 180)), 3);
+        }
+    }
+
+    @Test
+    public void carsAreSeparateSegmentsWithTheirVelocities() throws Exception {
+        run("cars.aedat", null);
+        Map<Integer, List<Labelled>> segments = bySegment(between(1.2, 1.7, 0, 260));
+        double[][] cars = {{88, -29}, {28, -10}, {-75, 32}};
+        List<Integer> found = new ArrayList<>();
+        for (double[] car : cars) {
+            double speed = Math.hypot(car[0], car[1]);
+            int best = 0;
+            int most = 0;
+            for (Map.Entry<Integer, List<Labelled>> s : segments.entrySet()) {
+                double off = Math.hypot(medianVx(s.getValue()) - car[0], medianVy(s.getValue()) - car[1]);
+                if (off <= 0.2 * speed && s.getValue().size() > most) {
+                    best = s.getKey();
+                    most = s.getValue().size();
+                }
+            }
+            assertNotEquals("a segment within 20 % of (" + car[0] + ", " + car[1] + ")", 0, best);
+            assertTrue("events " + most, most > 500);
+            found.add(best);
+        }
+        assertEquals(3, found.stream().distinct().count());
+    }
+
+    @Test
+    public void rowsOfStripesAreSeparateSegments() throws Exception {
+        run("stripes.aedat", null);
+        // from the README of the recordings: -97 falling to -80 px/s above, -181 to -140 below
+        for (double timeS : new double[] {0.3, 0.6, 0.9}) {
+            List<Labelled> upper = between(timeS - 0.05, timeS + 0.05, 0, 64);
+            List<Labelled> lower = between(timeS - 0.05, timeS + 0.05, 72, 128);
+            assertNotEquals(main(upper), main(lower));
+            double gone = timeS / 1.2;
+            double trueUpper = -97 + gone * 17;
+            double trueLower = -181 + gone * 41;
+            assertEquals("upper row at " + timeS, trueUpper, medianVx(upper), -0.2 * trueUpper);
+            assertEquals("lower row at " + timeS, trueLower, medianVx(lower), -0.2 * trueLower);
+        }
+    }
+}
