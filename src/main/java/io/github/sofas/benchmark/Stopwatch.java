@@ -8,6 +8,7 @@ import java.lang.management.ThreadMXBean;
 /** Times repeated runs of a part, and holds all of them to one result. */
 final class Stopwatch {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+    private static final long NANOS_PER_MS = 1_000_000;
 
     private final BenchmarkOptions options;
 
@@ -34,7 +35,9 @@ final class Stopwatch {
      * @throws IllegalStateException where a run's result differs from that of the one before
      */
     Rates time(String part, long events, Run run, Result result) throws EventSourceException, IOException {
-        for (int i = 0; i < options.warmUps(); i++) {
+        long warmUpStart = System.nanoTime();
+        for (int i = 0; i < options.warmUps()
+                || System.nanoTime() - warmUpStart < options.warmUpMs() * NANOS_PER_MS; i++) {
             run.run();
         }
         long checksum = result.checksum();

@@ -53,6 +53,10 @@ final class BenchCommand implements Callable<Integer> {
         description = "Runs of each part before those counted, at least 1; default: ${DEFAULT-VALUE}.")
     private int warmUps;
 
+    @Option(names = "--warm-up-ms", paramLabel = "MS", defaultValue = "1000",
+        description = "How long each part runs at least before the runs counted; default: ${DEFAULT-VALUE}.")
+    private int warmUpMs;
+
     @Option(names = "--events", paramLabel = "N", defaultValue = "10000000",
         description = "Use no more than the first N events of a recording, which are kept in memory at 30 bytes each; "
             + "default: ${DEFAULT-VALUE}.")
@@ -80,7 +84,8 @@ final class BenchCommand implements Callable<Integer> {
         BenchmarkOptions options;
         List<Making> all = new ArrayList<>();
         try {
-            options = new BenchmarkOptions(parameterOptions.parameters(), runs, warmUps, mostEvents, sampledMs);
+            options = new BenchmarkOptions(parameterOptions.parameters(), runs, warmUps, warmUpMs, mostEvents,
+                sampledMs);
             for (Path file : RecordingArguments.expand(arguments)) {
                 all.add(folder -> new RecordingUnderTest(file.toString(), file, reading.recordingOptions()));
             }
@@ -113,6 +118,7 @@ final class BenchCommand implements Callable<Integer> {
     /** The record's message begins with the component; the user wrote an option. */
     private static String inUsersWords(String message) {
         return message.replaceFirst("^runs ", "--runs ").replaceFirst("^warmUps ", "--warm-up ")
+            .replaceFirst("^warmUpMs ", "--warm-up-ms ")
             .replaceFirst("^mostEvents ", "--events ").replaceFirst("^sampledMs ", "--sample-ms ");
     }
 

@@ -18,7 +18,7 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 public class BenchmarkTest {
-    private static final BenchmarkOptions BRIEF = new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 3000, 0);
+    private static final BenchmarkOptions BRIEF = new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 0, 3000, 0);
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -50,7 +50,7 @@ public class BenchmarkTest {
 
     @Test
     public void usesNoMoreEventsThanAskedFor() throws Exception {
-        BenchmarkOptions two = new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 2, 0);
+        BenchmarkOptions two = new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 0, 2, 0);
         RecordingFigures figures = Benchmark.measure(text("three.txt", List.of("0 1 1 1", "0.001 2 2 1", "bad")), two,
             folder.getRoot().toPath());
         assertEquals(2, figures.decode().events());

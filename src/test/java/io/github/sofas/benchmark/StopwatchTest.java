@@ -8,7 +8,7 @@ import org.junit.Test;
 
 public class StopwatchTest {
     private static BenchmarkOptions options(int runs, int warmUps) {
-        return new BenchmarkOptions(SofasParameters.defaults(), runs, warmUps, 1000, 0);
+        return new BenchmarkOptions(SofasParameters.defaults(), runs, warmUps, 0, 1000, 0);
     }
 
     @Test
@@ -37,9 +37,11 @@ public class StopwatchTest {
             assertThrows(IllegalArgumentException.class, () -> options(4, 1)).getMessage());
         assertEquals("warmUps must be at least 1 but was 0",
             assertThrows(IllegalArgumentException.class, () -> options(5, 0)).getMessage());
+        assertEquals("warmUpMs must be at least 0 but was -1", assertThrows(IllegalArgumentException.class,
+            () -> new BenchmarkOptions(SofasParameters.defaults(), 5, 1, -1, 1, 0)).getMessage());
         assertEquals("mostEvents must be at least 1 but was 0", assertThrows(IllegalArgumentException.class,
-            () -> new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 0, 0)).getMessage());
+            () -> new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 0, 0, 0)).getMessage());
         assertEquals("sampledMs must be at least 0 but was -1", assertThrows(IllegalArgumentException.class,
-            () -> new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 1, -1)).getMessage());
+            () -> new BenchmarkOptions(SofasParameters.defaults(), 5, 1, 0, 1, -1)).getMessage());
     }
 }

@@ -34,7 +34,8 @@ public class BenchCommandTest {
     }
 
     private int bench(String... arguments) {
-        List<String> all = new ArrayList<>(List.of("bench", "--sample-ms", "0", "--warm-up", "1", "--chip", "16x16"));
+        List<String> all = new ArrayList<>(List.of("bench", "--sample-ms", "0", "--warm-up", "1", "--warm-up-ms", "0",
+            "--chip", "16x16"));
         all.addAll(List.of(arguments));
         return Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), all.toArray(String[]::new));
     }
