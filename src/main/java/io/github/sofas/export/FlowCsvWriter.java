@@ -27,7 +27,7 @@ public final class FlowCsvWriter implements AutoCloseable {
     private final CsvBuffer buffer;
 
     // Time as text is shared by all events of one millisecond, except for its last three digits.
-    private long millisecondUs = Long.MIN_VALUE;
+    private long millisecondUs;
     private final byte[] millisecondText = new byte[24];
     private int millisecondLength;
 
@@ -78,15 +78,15 @@ public final class FlowCsvWriter implements AutoCloseable {
         }
     }
 
-    private void putTime(long timeUs) throws IOException {
+    private void putTime(long timeUs) {
+        // Below a millisecond, and before zero, the last three digits are not a suffix: written whole.
+        if (timeUs < 1000) {
+            buffer.put(timeUs);
+            buffer.put(',');
+            return;
+        }
         long rest = timeUs - millisecondUs;
         if (rest < 0 || rest >= 1000) {
-            // Below a millisecond, and before zero, the last three digits are not a suffix: written whole.
-            if (timeUs < 1000) {
-                buffer.put(timeUs);
-                buffer.put(',');
-                return;
-            }
             int start = buffer.size;
             buffer.put(timeUs / 1000);
             millisecondLength = buffer.size - start;

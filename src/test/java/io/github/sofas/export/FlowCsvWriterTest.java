@@ -99,6 +99,15 @@ public class FlowCsvWriterTest {
     }
 
     @Test
+    public void writesTheFirstAndLastTimesOfLong() throws IOException {
+        add(Long.MIN_VALUE, 0, 0, 1);
+        add(Long.MIN_VALUE + 999, 0, 0, 1);
+        add(Long.MAX_VALUE, 0, 0, 1);
+        assertEquals("-9223372036854775808,0,0,1,,,0\n-9223372036854774809,0,0,1,,,0\n"
+            + "9223372036854775807,0,0,1,,,0\n", rows());
+    }
+
+    @Test
     public void writesEveryCoordinateOfTheLargestSensor() throws IOException {
         StringBuilder expected = new StringBuilder(HEADER);
         ByteArrayOutputStream out = new ByteArrayOutputStream();
