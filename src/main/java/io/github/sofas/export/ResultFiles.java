@@ -2,6 +2,7 @@ package io.github.sofas.export;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -34,11 +35,15 @@ public final class ResultFiles implements AutoCloseable {
      *
      * @param file where it will be after the commit; one that stands there until then is replaced
      * @return unbuffered; the caller closes it before the commit
-     * @throws IOException where it cannot be made
+     * @throws IOException where it cannot be made, or a directory has its name
      */
     public synchronized OutputStream create(Path file) throws IOException {
         if (over) {
             throw new IOException("the program is ending");
+        }
+        if (Files.isDirectory(file)) {
+            // The commit would meet it only after other files have their names.
+            throw new FileSystemException(file.toString(), null, "is a directory");
         }
         // The process id keeps two runs into one folder apart.
         Path temporary = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");

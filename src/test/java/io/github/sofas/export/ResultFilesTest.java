@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -87,6 +88,18 @@ public class ResultFilesTest {
         }
         assertEquals("older", Files.readString(first));
         assertEquals(List.of("a.csv"), filesThere());
+    }
+
+    @Test
+    public void refusesAFileWhoseNameADirectoryHas() throws IOException {
+        Files.createDirectory(second);
+        try (ResultFiles files = new ResultFiles()) {
+            write(files, first, "1");
+            FileSystemException refused = assertThrows(FileSystemException.class, () -> files.create(second));
+            assertEquals(second + ": is a directory", refused.getMessage());
+        }
+        // Had the commit met it, a.csv would have had its name already.
+        assertEquals(List.of("b.json"), filesThere());
     }
 
     @Test
