@@ -48,8 +48,8 @@ public final class BuiltInScenes {
             new BuiltIn("hexagon", Scene.HEXAGON, small, 15),
             new BuiltIn("hexagon", Scene.HEXAGON, large, 15),
             new BuiltIn("sixteen", Scene.SIXTEEN, davis, 8),
-            new BuiltIn("three-crossing", Scene.THREE_CROSSING, davis, 40),
-            new BuiltIn("four-bars", Scene.FOUR_BARS, davis, 10),
+            new BuiltIn("three-crossing", Scene.THREE_CROSSING, davis, 11),
+            new BuiltIn("four-bars", Scene.FOUR_BARS, davis, 3),
             new BuiltIn("noise of 5 Hz/px", Scene.NOISE, davis.withSensor(DAVIS346).withDurationUs(NOISE_US)
                 .withDvs(davis.dvs().withNoiseHzPerPx(NOISE_HZ_PER_PX)), 1));
     }
