@@ -33,8 +33,8 @@ public enum Stage {
      * The stage of a moment.
      *
      * <p>Goes by the names of the paper that classes and methods bear, so that a kernel that serves several stages
-     * counts for the one that called it. A track plane that the flow plane starts is the flow plane's work. The
-     * labelling method counts as matching: compiled into it, matching has no frame of its own.
+     * counts for the one that called it. A track plane that the flow plane starts is the flow plane's work. What
+     * is left of the engine counts as matching: compiled into the loop over the events, matching has no frame of its own.
      */
     static Stage of(StackTraceElement[] stack) {
         Stage stage = OTHER;
@@ -49,7 +49,7 @@ public enum Stage {
                     return FLOW_PLANE;
                 } else if (frame.getMethodName().startsWith("recentre")) {
                     stage = RE_CENTRING;
-                } else if (stage == OTHER && (type.contains("TrackPlane") || type.endsWith("Method"))) {
+                } else if (stage == OTHER) {
                     stage = MATCHING;
                 }
             }
