@@ -34,7 +34,8 @@ public enum Stage {
      *
      * <p>Goes by the names of the paper that classes and methods bear, so that a kernel that serves several stages
      * counts for the one that called it. A track plane that the flow plane starts is the flow plane's work. What
-     * is left of the engine counts as matching: compiled into the loop over the events, matching has no frame of its own.
+     * is left of the engine counts as matching: compiled into the loop over the events, matching has no frame of its
+     * own.
      */
     static Stage of(StackTraceElement[] stack) {
         Stage stage = OTHER;
