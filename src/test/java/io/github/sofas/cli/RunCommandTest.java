@@ -1,0 +1,435 @@
+package io.github.sofas.cli;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.recording.Aedat2Writer;
+import io.github.sofas.recording.Chip;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+public class RunCommandTest {
+    private static final Path RECORDINGS = Path.of("recordings");
+    private static final Path HEXAGON = RECORDINGS.resolve("hexagon.aedat");
+    private static final int HEXAGON_EVENTS = 26_101;
+    private static final int RECORD_BYTES = 8;
+    private static final int EDGE_EVENTS = 40;
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    private Path root;
+    private Path out;
+
+    @Before
+    public void names() {
+        root = folder.getRoot().toPath();
+        out = root.resolve("results");
+    }
+
+    private Executed run(Object... more) {
+        return runTo(out, more);
+    }
+
+    private static Executed runTo(Path where, Object... more) {
+        List<String> arguments = new ArrayList<>(List.of("run", "--out", where.toString()));
+        Arrays.stream(more).map(Object::toString).forEach(arguments::add);
+        return Executed.command(arguments.toArray(new String[0]));
+    }
+
+    /** Forty events a millisecond apart along a row of a DVS128: the smallest recording that has everything. */
+    private static Path writeEdge(Path file) throws IOException {
+        Files.createDirectories(file.getParent());
+        EventBatch batch = new EventBatch(EDGE_EVENTS);
+        for (int i = 0; i < EDGE_EVENTS; i++) {
+            batch.add(1000L * i, 20 + i, 64, 1);
+        }
+        try (Aedat2Writer writer = new Aedat2Writer(file, Chip.named("DVS128").orElseThrow())) {
+            writer.write(batch);
+        }
+        return file;
+    }
+
+    /** The recording up to the middle of the record of an event. */
+    private static Path cut(Path from, int allEvents, int events, int more, Path to) throws IOException {
+        byte[] bytes = Files.readAllBytes(from);
+        int header = bytes.length - allEvents * RECORD_BYTES;
+        return Files.write(to, Arrays.copyOf(bytes, header + events * RECORD_BYTES + more));
+    }
+
+    private static Set<String> filesIn(Path where) {
+        String[] names = where.toFile().list();
+        return names == null ? Set.of() : new TreeSet<>(List.of(names));
+    }
+
+    private static Set<String> results(String... names) {
+        Set<String> files = new TreeSet<>();
+        for (String name : names) {
+            files.addAll(List.of(name + ".flow.csv", name + ".segments.csv", name + ".summary.json"));
+        }
+        return files;
+    }
+
+    private void assertUsage(String message, Object... arguments) {
+        Executed run = run(arguments);
+        assertEquals(message + "\nTry 'sofas run --help'.\n", run.err);
+        assertEquals("", run.out);
+        assertEquals(2, run.exitCode);
+        assertFalse("nothing was run", Files.exists(out));
+    }
+
+    private static void assertFinished(String name, int events, String line) {
+        String pattern = name + ": " + events + " events, \\d+\\.\\d % with flow, \\d+ events/s, \\d+ segments?, "
+            + "\\d+\\.\\d\\d s";
+        assertTrue(line, line.matches(pattern));
+    }
+
+    private static void assertSameResults(Path expected, Path actual) throws IOException {
+        assertEquals(filesIn(expected), filesIn(actual));
+        for (String name : filesIn(expected)) {
+            if (name.endsWith(".csv")) {
+                assertArrayEquals(name, Files.readAllBytes(expected.resolve(name)),
+                    Files.readAllBytes(actual.resolve(name)));
+            }
+        }
+    }
+
+    @Test
+    public void writesARowForEveryEventInOrder() throws IOException {
+        Executed run = run(HEXAGON);
+        assertEquals(0, run.exitCode);
+        assertEquals("", run.out);
+        assertEquals(1, run.errLines().size());
+        assertFinished("hexagon", HEXAGON_EVENTS, run.errLines().get(0));
+        assertEquals(results("hexagon"), filesIn(out));
+
+        List<String> rows = Files.readAllLines(out.resolve("hexagon.flow.csv"));
+        List<String> truth = Files.readAllLines(RECORDINGS.resolve("hexagon.truth.csv"));
+        assertEquals("t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,segment", rows.get(0));
+        assertEquals(HEXAGON_EVENTS + 1, rows.size());
+        for (int i = 1; i < rows.size(); i++) {
+            assertEquals(event(truth.get(i)), event(rows.get(i)));
+        }
+    }
+
+    /** Time, x, y and polarity, in which rows of flow and of truth agree. */
+    private static List<String> event(String row) {
+        return List.of(row.split(",")).subList(0, 4);
+    }
+
+    @Test
+    public void namesEverySegmentOfARowAndCountsTheRows() throws IOException {
+        assertEquals(0, run(HEXAGON).exitCode);
+        Set<String> labelled = new TreeSet<>();
+        long withFlow = 0;
+        for (String row : Files.readAllLines(out.resolve("hexagon.flow.csv")).subList(1, HEXAGON_EVENTS + 1)) {
+            String[] fields = row.split(",");
+            assertEquals(row, fields[6].equals("0"), fields[4].isEmpty() && fields[5].isEmpty());
+            if (!fields[6].equals("0")) {
+                labelled.add(fields[6]);
+                withFlow++;
+            }
+        }
+        List<String> segments = Files.readAllLines(out.resolve("hexagon.segments.csv"));
+        segments.remove(0);
+        Set<String> known = new TreeSet<>();
+        segments.forEach(segment -> known.add(segment.substring(0, segment.indexOf(','))));
+        assertTrue(labelled + " of " + known, known.containsAll(labelled));
+
+        String summary = Files.readString(out.resolve("hexagon.summary.json"));
+        assertHas(summary, "\"file\" : \"" + HEXAGON + "\"");
+        assertHas(summary, "\"format\" : \"AEDAT 2.0\"");
+        assertHas(summary, "\"chip\" : \"DAVIS240C\"");
+        assertHas(summary, "\"width\" : 240,\n    \"height\" : 180,\n    \"events\" : 26101,\n");
+        assertHas(summary, "\"dvs_events\" : 26101,");
+        assertHas(summary, "\"complete\" : true,\n    \"faults\" : [ ]\n");
+        assertHas(summary, "\"method\" : \"sofas\",\n  \"preset\" : \"default\",\n");
+        assertHas(summary, "\n  \"events\" : 26101,\n  \"events_with_flow\" : " + withFlow + ",\n");
+        assertHas(summary, "\"segments\" : {\n    \"all\" : " + segments.size() + ",\n");
+    }
+
+    private static void assertHas(String text, String part) {
+        assertTrue(part + " in " + text, text.contains(part));
+    }
+
+    @Test
+    public void writesTheSameBytesOnEveryRun() throws IOException {
+        Path again = root.resolve("again");
+        assertEquals(0, run(HEXAGON).exitCode);
+        assertEquals(0, runTo(again, HEXAGON).exitCode);
+        assertSameResults(out, again);
+    }
+
+    @Test
+    public void writesTheSameBytesHoweverManyRunAtOnce() throws IOException {
+        Path atOnce = root.resolve("at once");
+        assertEquals(0, run(RECORDINGS, "--jobs", 1).exitCode);
+        Executed run = runTo(atOnce, RECORDINGS, "--jobs", 2);
+        assertEquals(run.err, 0, run.exitCode);
+        assertEquals(4, run.errLines().size());
+        assertEquals(results("hexagon", "short-bar", "small-circle", "two-opposite"), filesIn(out));
+        assertSameResults(out, atOnce);
+    }
+
+    @Test
+    public void runsThePaperPreset() throws IOException {
+        assertEquals(0, run(HEXAGON, "--preset", "paper").exitCode);
+        assertEquals(HEXAGON_EVENTS + 1, Files.readAllLines(out.resolve("hexagon.flow.csv")).size());
+        String summary = Files.readString(out.resolve("hexagon.summary.json"));
+        assertHas(summary, "\"preset\" : \"paper\"");
+        assertHas(summary, "\"lifetime-px\" : " + SofasParameters.paper().lifetimePx() + ",");
+    }
+
+    @Test
+    public void printsNothingWhereQuietAndSound() {
+        Executed run = run(HEXAGON, "--quiet");
+        assertEquals(0, run.exitCode);
+        assertEquals("", run.out);
+        assertEquals("", run.err);
+    }
+
+    @Test
+    public void printsWhatIsWrongEvenWhereQuiet() throws IOException {
+        Path cut = cut(writeEdge(root.resolve("edge.aedat")), EDGE_EVENTS, 39, 1, root.resolve("cut.aedat"));
+        Executed run = run(cut, "--quiet");
+        assertEquals(1, run.exitCode);
+        assertEquals(2, run.errLines().size());
+        assertEquals("1 of 1 recording failed: " + cut, run.errLines().get(1));
+    }
+
+    @Test
+    public void refusesResultsThatExistUnlessForced() throws IOException {
+        Path edge = writeEdge(root.resolve("edge.aedat"));
+        Path other = writeEdge(root.resolve("other.aedat"));
+        Files.createDirectories(out);
+        Path existing = Files.writeString(out.resolve("other.segments.csv"), "mine");
+        Executed refused = run(edge, other);
+        assertEquals("[" + existing + "] exists already; --force replaces it\nTry 'sofas run --help'.\n", refused.err);
+        assertEquals(2, refused.exitCode);
+        assertEquals("nothing was run", Set.of("other.segments.csv"), filesIn(out));
+        assertEquals("mine", Files.readString(existing));
+
+        assertEquals(0, run(edge, other, "--force").exitCode);
+        assertEquals(results("edge", "other"), filesIn(out));
+        assertFalse(Files.readString(existing).contains("mine"));
+    }
+
+    @Test
+    public void refusesTwoRecordingsOfOneNameBeforeAnythingRuns() throws IOException {
+        Path first = writeEdge(root.resolve("edge.aedat"));
+        Path second = writeEdge(root.resolve("edge.aedat2"));
+        assertUsage("[" + second + "] results must have different names but those of " + first
+            + " are named \"edge\" too; --name-with-extension keeps both", first, second);
+
+        assertEquals(0, run(first, second, "--name-with-extension").exitCode);
+        assertEquals(results("edge.aedat", "edge.aedat2"), filesIn(out));
+    }
+
+    @Test
+    public void refusesRecordingsThatEvenTheirExtensionsDoNotTellApart() throws IOException {
+        Path first = writeEdge(root.resolve("a").resolve("edge.aedat"));
+        Path second = writeEdge(root.resolve("b").resolve("edge.aedat"));
+        assertUsage("[" + second + "] results must have different names but those of " + first
+            + " are named \"edge\" too", first, second);
+    }
+
+    @Test
+    public void runsARecordingNamedTwiceOnce() throws IOException {
+        Path edge = writeEdge(root.resolve("edge.aedat"));
+        Files.createDirectories(out);
+        Executed run = run(edge, out.resolve("..").resolve("edge.aedat"), root);
+        assertEquals(run.err, 0, run.exitCode);
+        assertEquals(1, run.errLines().size());
+    }
+
+    @Test
+    public void takesDirectoriesWithoutWhatLiesInsideOrIsNoRecording() throws IOException {
+        Path day = root.resolve("day");
+        writeEdge(day.resolve("b.AEDAT"));
+        writeEdge(day.resolve("a.aedat"));
+        writeEdge(day.resolve(".hidden.aedat"));
+        writeEdge(day.resolve("deeper").resolve("c.aedat"));
+        Files.writeString(day.resolve("notes.txt"), "sunny");
+        Executed run = run(day);
+        assertEquals(run.err, 0, run.exitCode);
+        assertFinished("a", EDGE_EVENTS, run.errLines().get(0));
+        assertEquals(results("a", "b"), filesIn(out));
+    }
+
+    @Test
+    public void expandsPatternsThatTheShellDidNot() throws IOException {
+        writeEdge(root.resolve("day1").resolve("a.aedat"));
+        writeEdge(root.resolve("day2").resolve("b.aedat"));
+        writeEdge(root.resolve("day2").resolve("c.aedat2"));
+        writeEdge(root.resolve("night").resolve("d.aedat"));
+        Executed run = run(root.resolve("day*") + "/*.aedat");
+        assertEquals(run.err, 0, run.exitCode);
+        assertEquals(results("a", "b"), filesIn(out));
+    }
+
+    @Test
+    public void takesAFileWhoseNameLooksLikeAPattern() throws IOException {
+        Path file = writeEdge(root.resolve("take[1].aedat"));
+        assertEquals(0, run(file).exitCode);
+        assertEquals(results("take[1]"), filesIn(out));
+    }
+
+    @Test
+    public void refusesArgumentsThatMeanNoRecording() throws IOException {
+        Path missing = root.resolve("missing.aedat");
+        assertUsage("[" + missing + "] no such file", HEXAGON, missing);
+        Path empty = Files.createDirectory(root.resolve("empty"));
+        assertUsage("[" + empty + "] no recording in this directory: extensions are aedat, aedat2, aedat3, aedat4, "
+            + "dat", empty);
+        assertUsage("[" + root + "/*.aedat] no file matches this pattern", root + "/*.aedat");
+        assertUsage("[" + root + "/none/*.aedat] no file matches this pattern", root + "/none/*.aedat");
+    }
+
+    @Test
+    public void refusesUnknownOptions() {
+        assertUsage("Unknown option: '--lifetimepx'\nPossible solutions: --lifespan-us, --lifetime-px", HEXAGON,
+            "--lifetimepx", 6);
+    }
+
+    @Test
+    public void refusesWrongValuesInTheWordsOfTheCommandLine() {
+        assertUsage("--lifetime-px must be between 1 and 100 but was 0", HEXAGON, "--lifetime-px", 0);
+        assertUsage("--lifetime-px must be a number but was \"NaN\"", HEXAGON, "--lifetime-px", "NaN");
+        assertUsage("--lifetime-px must be a number but was \"five\"", HEXAGON, "--lifetime-px", "five");
+        assertUsage("--cycles must be a whole number but was \"2.5\"", HEXAGON, "--cycles", 2.5);
+        assertUsage("--rotation must be one of [true, false] but was \"maybe\"", HEXAGON, "--rotation", "maybe");
+        assertUsage("--jobs must be at least 1 but was 0", HEXAGON, "--jobs", 0);
+    }
+
+    @Test
+    public void refusesUnknownPresets() {
+        assertUsage("Invalid value for option '--preset': expected one of [PAPER, DEFAULT] (case-insensitive) but was "
+            + "'fast'", HEXAGON, "--preset", "fast");
+    }
+
+    @Test
+    public void takesParametersFromAFileAndOptionsOverThem() throws IOException {
+        Path config = Files.writeString(root.resolve("my.properties"),
+            "# mine\nlifetime-px = 6\n  cycles: 4\nrotation=false\n");
+        Path edge = writeEdge(root.resolve("edge.aedat"));
+        assertEquals(0, run(edge, "--config", config, "--lifetime-px", 7).exitCode);
+        String summary = Files.readString(out.resolve("edge.summary.json"));
+        assertHas(summary, "\"lifetime-px\" : 7.0,");
+        assertHas(summary, "\"cycles\" : 4,");
+        assertHas(summary, "\"rotation\" : false,");
+    }
+
+    @Test
+    public void namesTheFileAndLineOfAWrongParameter() throws IOException {
+        Path config = root.resolve("my.properties");
+        Files.writeString(config, "lifetime-px=6\nlifetme-px=7\n");
+        String known = String.join(", ", ParameterOptions.asMap(SofasParameters.defaults()).keySet());
+        assertUsage("[my.properties] line 2: unknown parameter \"lifetme-px\"; known are " + known, HEXAGON,
+            "--config", config);
+        Files.writeString(config, "\nlifetime-px=0\n");
+        assertUsage("[my.properties] line 2: lifetime-px must be between 1 and 100 but was 0", HEXAGON, "--config",
+            config);
+        Files.writeString(config, "cycles=few\n");
+        assertUsage("[my.properties] line 1: cycles must be a whole number but was \"few\"", HEXAGON, "--config",
+            config);
+        Files.delete(config);
+        assertUsage("[my.properties] no such file: " + config, HEXAGON, "--config", config);
+    }
+
+    @Test
+    public void refusesAFileForAFolder() throws IOException {
+        Path file = Files.writeString(root.resolve("file"), "");
+        Executed run = runTo(file, HEXAGON);
+        assertEquals("[" + file + "] cannot be made a directory: java.nio.file.FileAlreadyExistsException: " + file
+            + "\nTry 'sofas run --help'.\n", run.err);
+        assertEquals(2, run.exitCode);
+    }
+
+    @Test
+    public void givesResultsOfEveryEventBeforeTheDamage() throws IOException {
+        // 247 bytes of header and 10,000 records are whole; 3 bytes of the next one are left.
+        Path cut = cut(HEXAGON, HEXAGON_EVENTS, 10_000, 3, root.resolve("cut.aedat"));
+        Executed run = run(cut);
+        assertEquals(1, run.exitCode);
+        String message = "[cut.aedat] event 10000 at byte 80247: truncated, a record must have 8 bytes but had 3";
+        assertEquals(message, run.errLines().get(0));
+        assertFinished("cut", 10_000, run.errLines().get(1));
+        assertEquals("1 of 1 recording failed: " + cut, run.errLines().get(2));
+        assertEquals(3, run.errLines().size());
+
+        assertEquals(results("cut"), filesIn(out));
+        assertHas(Files.readString(out.resolve("cut.summary.json")), "\"complete\" : false,\n    \"faults\" : [\n"
+            + "      \"" + message + "\"\n    ]\n");
+        assertEquals(0, run(HEXAGON).exitCode);
+        assertEquals(Files.readAllLines(out.resolve("hexagon.flow.csv")).subList(0, 10_001),
+            Files.readAllLines(out.resolve("cut.flow.csv")));
+    }
+
+    @Test
+    public void runsTheOthersWhereOneIsDamaged() throws IOException {
+        Path good = writeEdge(root.resolve("edge.aedat"));
+        Path damaged = Files.writeString(root.resolve("damaged.aedat4"), "no recording");
+        Executed run = run(damaged, good);
+        assertEquals(1, run.exitCode);
+        assertEquals("1 of 2 recordings failed: " + damaged, run.errLines().get(run.errLines().size() - 1));
+        assertTrue(run.err, run.errLines().contains("[damaged.aedat4] header at byte 0: unsupported, a recording must "
+            + "start with #!AER-DAT or have the extension .aedat, .dat or .txt"));
+        assertEquals(results("edge"), filesIn(out));
+    }
+
+    @Test
+    public void listsTheChipsWhereARecordingNamesNone() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.write("#!AER-DAT2.0\r\n".getBytes(StandardCharsets.US_ASCII));
+        byte[] edge = Files.readAllBytes(writeEdge(root.resolve("edge.aedat")));
+        bytes.write(edge, edge.length - EDGE_EVENTS * RECORD_BYTES, EDGE_EVENTS * RECORD_BYTES);
+        Path anonymous = Files.write(root.resolve("anonymous.aedat"), bytes.toByteArray());
+        Executed run = run(anonymous);
+        assertEquals("[anonymous.aedat] the recording names no chip: --chip must name one of DVS128, Tmpdiff128, "
+            + "DAVIS240A, DAVIS240B, DAVIS240C, DVS240, Davis346red, Davis346blue, Davis346B, Davis346cBSI, "
+            + "Davis346Zynq, Davis128, Davis640\n1 of 1 recording failed: " + anonymous + "\n", run.err);
+        assertEquals(1, run.exitCode);
+        assertEquals(Set.of(), filesIn(out));
+
+        assertEquals(0, run(anonymous, root.resolve("edge.aedat"), "--chip", "dvs128").exitCode);
+        assertArrayEquals(Files.readAllBytes(out.resolve("edge.flow.csv")),
+            Files.readAllBytes(out.resolve("anonymous.flow.csv")));
+    }
+
+    @Test
+    public void givesResultsOfARecordingWithoutEvents() throws IOException {
+        Path none = cut(writeEdge(root.resolve("edge.aedat")), EDGE_EVENTS, 0, 0, root.resolve("none.aedat"));
+        Executed run = run(none);
+        assertEquals(0, run.exitCode);
+        assertFinished("none", 0, run.errLines().get(0));
+        assertEquals("t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,segment\n",
+            Files.readString(out.resolve("none.flow.csv")));
+    }
+
+    @Test
+    public void leavesNothingWhereAResultCannotBeWritten() throws IOException {
+        Path edge = writeEdge(root.resolve("edge.aedat"));
+        Path directory = Files.createDirectories(out.resolve("edge.summary.json"));
+        Executed run = run(edge, "--force");
+        assertEquals("[edge.aedat] results cannot be written: " + directory + ": is a directory\n"
+            + "1 of 1 recording failed: " + edge + "\n", run.err);
+        assertEquals(1, run.exitCode);
+        assertEquals(Set.of("edge.summary.json"), filesIn(out));
+    }
+}
