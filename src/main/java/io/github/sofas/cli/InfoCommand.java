@@ -71,7 +71,7 @@ final class InfoCommand implements Callable<Integer> {
             exitCode = readAll(recordings, recording -> recording.write(json));
             json.writeEndArray();
         }
-        out.println(bytes.toString(StandardCharsets.UTF_8));
+        out.print(bytes.toString(StandardCharsets.UTF_8));
         return exitCode;
     }
 

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.core.util.JsonGeneratorDelegate;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.math.BigDecimal;
@@ -26,8 +27,17 @@ public final class Json {
         DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
         DefaultPrettyPrinter printer = new DefaultPrettyPrinter().withObjectIndenter(indenter)
             .withArrayIndenter(indenter);
-        return FACTORY.createGenerator(out).setPrettyPrinter(printer)
+        JsonGenerator json = FACTORY.createGenerator(out).setPrettyPrinter(printer)
             .disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET);
+        return new JsonGeneratorDelegate(json) {
+            @Override
+            public void close() throws IOException {
+                if (!isClosed()) {
+                    writeRaw('\n');
+                }
+                super.close();
+            }
+        };
     }
 
     /**

@@ -169,6 +169,13 @@ public class RunCommandTest {
     }
 
     @Test
+    public void endsTheSummaryWithALineFeed() throws IOException {
+        assertEquals(0, run(writeEdge(root.resolve("edge.aedat"))).exitCode);
+        String summary = Files.readString(out.resolve("edge.summary.json"));
+        assertTrue(summary, summary.endsWith("\n}\n"));
+    }
+
+    @Test
     public void writesTheSameBytesOnEveryRun() throws IOException {
         Path again = root.resolve("again");
         assertEquals(0, run(HEXAGON).exitCode);
