@@ -210,14 +210,20 @@ final class ParameterOptions {
         }
     }
 
-    /** The record's message begins with the component; the user wrote an option or a line of a file. */
+    /**
+     * The record's message begins with the component and may name another that it is held against; the user wrote an
+     * option or a line of a file.
+     */
     private static String inUsersWords(String message, Map<String, String> places) {
+        String text = message;
         for (RecordComponent component : OPTIONS) {
+            String name = optionName(component);
             if (message.startsWith(component.getName() + " ")) {
-                String name = optionName(component);
-                return places.getOrDefault(name, name) + message.substring(component.getName().length());
+                text = places.getOrDefault(name, name) + text.substring(component.getName().length());
+            } else if (!name.equals(component.getName())) {
+                text = text.replace(" " + component.getName() + " ", " " + name + " ");
             }
         }
-        return message;
+        return text;
     }
 }

@@ -321,6 +321,7 @@ public class RunCommandTest {
         assertUsage("--lifetime-px must be a number but was \"five\"", HEXAGON, "--lifetime-px", "five");
         assertUsage("--cycles must be a whole number but was \"2.5\"", HEXAGON, "--cycles", 2.5);
         assertUsage("--rotation must be one of [true, false] but was \"maybe\"", HEXAGON, "--rotation", "maybe");
+        assertUsage("--max-lifetime-px must be at least lifetime-px 5 but was 2", HEXAGON, "--max-lifetime-px", 2);
         assertUsage("--jobs must be at least 1 but was 0", HEXAGON, "--jobs", 0);
     }
 
