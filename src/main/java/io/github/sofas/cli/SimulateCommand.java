@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -35,6 +36,15 @@ import picocli.CommandLine.Spec;
     exitCodeList = {"0:written", "1:the files cannot be written", "2:wrong usage; nothing was written"})
 final class SimulateCommand implements Callable<Integer> {
     private static final int BATCH = 4096;
+    /** The option of each component that a message of the options' or the sensor model's record may begin with. */
+    private static final Map<String, String> OPTIONS = Map.ofEntries(Map.entry("speedPxPerS", "--speed"),
+        Map.entry("directionDeg", "--direction"), Map.entry("turnsPerS", "--turns"), Map.entry("scale", "--scale"),
+        Map.entry("contrast", "--contrast"), Map.entry("texture", "--texture"), Map.entry("blurPx", "--blur"),
+        Map.entry("fieldOfViewM", "--field-of-view"), Map.entry("onThreshold", "--threshold-on"),
+        Map.entry("offThreshold", "--threshold-off"), Map.entry("mismatchSd", "--mismatch"),
+        Map.entry("jitterSdUs", "--jitter"), Map.entry("refractoryUs", "--refractory"),
+        Map.entry("noiseHzPerPx", "--noise"), Map.entry("hotPixels", "--hot-pixels"),
+        Map.entry("hotPixelHz", "--hot-pixel-rate"));
 
     @Spec
     private CommandSpec spec;
@@ -182,6 +192,9 @@ final class SimulateCommand implements Callable<Integer> {
     }
 
     private SimulationOptions options(SensorSize size) {
+        if (!(scene.durationS >= 0)) {
+            throw usage("--duration must not be negative but was " + scene.durationS);
+        }
         try {
             DvsModel dvs = DvsModel.davis().withThresholds(sensor.onThreshold, sensor.offThreshold)
                 .withMismatchSd(sensor.mismatchSd).withJitterSdUs(sensor.jitterSdUs)
@@ -193,7 +206,8 @@ final class SimulateCommand implements Callable<Integer> {
                 .withTurnsPerS(scene.turnsPerS).withTurnsRound(scene.turnsRound)
                 .withFieldOfViewM(scene.fieldOfViewM).withSeed(scene.seed).withDvs(dvs);
         } catch (IllegalArgumentException e) {
-            throw usage(e.getMessage());
+            String component = e.getMessage().substring(0, e.getMessage().indexOf(' '));
+            throw usage(OPTIONS.getOrDefault(component, component) + e.getMessage().substring(component.length()));
         }
     }
 

@@ -128,6 +128,21 @@ public class SimulateCommandTest {
     }
 
     @Test
+    public void refusesWrongValuesInTheWordsOfTheCommandLine() {
+        for (String option : List.of("--duration", "--speed", "--texture", "--field-of-view", "--mismatch", "--jitter",
+            "--refractory", "--noise", "--hot-pixel-rate")) {
+            assertUsage(option + " must not be negative but was -1.0", "hexagon", option, "-1");
+        }
+        for (String option : List.of("--scale", "--contrast", "--blur", "--threshold-on", "--threshold-off")) {
+            assertUsage(option + " must be positive but was 0.0", "hexagon", option, "0");
+        }
+        assertUsage("--hot-pixels must not be negative but was -1.0", "hexagon", "--hot-pixels", "-1");
+        assertUsage("--direction must be finite but was NaN", "hexagon", "--direction", "NaN");
+        assertUsage("--turns must be finite and not 0 but was 0.0", "hexagon", "--turns", "0");
+        assertUsage("--duration must not be negative but was NaN", "hexagon", "--duration", "NaN");
+    }
+
+    @Test
     public void refusesFilesThatExistUnlessForced() throws IOException {
         Files.createDirectories(out);
         Path existing = Files.writeString(out.resolve("noise.truth.csv"), "mine");
