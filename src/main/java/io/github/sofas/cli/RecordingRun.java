@@ -82,6 +82,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             FlowOutput flow = new FlowOutput(BATCH);
             EventSourceException damage = null;
             long eventsWithFlow = 0;
+            long bytesShown = 0;
             long decodeNs = System.nanoTime() - start;
             long engineNs = 0;
             long outputNs = 0;
@@ -106,7 +107,9 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
                     outputNs += System.nanoTime() - beforeOutput;
                     int withFlow = countWithFlow(batch, flow);
                     eventsWithFlow += withFlow;
-                    progress.add(batch.size(), withFlow);
+                    long bytesRead = reader.bytesRead();
+                    progress.add(bytesRead - bytesShown, batch.size(), withFlow);
+                    bytesShown = bytesRead;
                 }
             }
             segments.addAll(labeller.segments());

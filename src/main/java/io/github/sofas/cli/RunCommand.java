@@ -80,7 +80,7 @@ final class RunCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         List<String> failed = new ArrayList<>();
         ExecutorService pool = Executors.newFixedThreadPool(Math.min(jobs, runs.size()));
-        try (RunProgress progress = RunProgress.start(err, quiet, runs.size())) {
+        try (RunProgress progress = RunProgress.start(err, quiet, bytes(runs))) {
             List<Started> started = new ArrayList<>();
             for (RecordingRun run : runs) {
                 started.add(new Started(run, pool.submit(() -> succeeds(run, progress))));
@@ -133,6 +133,11 @@ final class RunCommand implements Callable<Integer> {
 
     private ParameterException usage(String message) {
         return new ParameterException(spec.commandLine(), message);
+    }
+
+    /** How much there is to read; a recording that cannot be looked at counts as nothing, and fails when opened. */
+    private static long bytes(List<RecordingRun> runs) {
+        return runs.stream().mapToLong(run -> run.recording().toFile().length()).sum();
     }
 
     /** Runs one recording and says what came of it. */

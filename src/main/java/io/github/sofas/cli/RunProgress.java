@@ -2,6 +2,7 @@ package io.github.sofas.cli;
 
 import io.github.sofas.export.RunSummary;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,6 +10,7 @@ import java.util.Locale;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBarStyle;
 
 /**
@@ -25,21 +27,52 @@ final class RunProgress implements AutoCloseable {
     private long events;
     private long eventsWithFlow;
 
-    private RunProgress(PrintWriter err, boolean quiet, ProgressBar bar) {
+    /**
+     * Makes one.
+     *
+     * @param bar null for none
+     */
+    RunProgress(PrintWriter err, boolean quiet, ProgressBar bar) {
         this.err = err;
         this.quiet = quiet;
         this.bar = bar;
     }
 
-    /** Starts showing. */
-    static RunProgress start(PrintWriter err, boolean quiet, int recordings) {
-        ProgressBar bar = null;
-        if (!quiet && standardErrorIsTerminal()) {
-            bar = new ProgressBarBuilder().setTaskName("sofas").setInitialMax(recordings).setUnit(" recordings", 1)
-                .setStyle(ProgressBarStyle.ASCII).setUpdateIntervalMillis(UPDATE_MS)
-                .setConsumer(new ConsoleProgressBarConsumer(System.err)).clearDisplayOnFinish().build();
+    /**
+     * Starts showing.
+     *
+     * @param bytes size of all recordings together
+     */
+    static RunProgress start(PrintWriter err, boolean quiet, long bytes) {
+        boolean shown = !quiet && standardErrorIsTerminal();
+        return new RunProgress(err, quiet, shown ? bar(new Line(System.err), bytes) : null);
+    }
+
+    /** A bar of megabytes; events and recordings would be known only at the end. */
+    static ProgressBar bar(ProgressBarConsumer line, long bytes) {
+        return new ProgressBarBuilder().setInitialMax(Math.max(1, bytes)).setUnit(" MB", 1_000_000)
+            .setStyle(ProgressBarStyle.ASCII).setUpdateIntervalMillis(UPDATE_MS).setConsumer(line)
+            .clearDisplayOnFinish().build();
+    }
+
+    /** The terminal's line that the bar is drawn on; unlike the library's own, it leaves no empty line behind. */
+    static final class Line extends ConsoleProgressBarConsumer {
+        private final PrintStream stream;
+
+        Line(PrintStream stream) {
+            super(stream);
+            this.stream = stream;
         }
-        return new RunProgress(err, quiet, bar);
+
+        Line(PrintStream stream, int columns) {
+            super(stream, columns);
+            this.stream = stream;
+        }
+
+        @Override
+        public void close() {
+            stream.flush();
+        }
     }
 
     /** Java itself tells only of standard input and output; Linux tells of standard error. */
@@ -53,33 +86,31 @@ final class RunProgress implements AutoCloseable {
         }
     }
 
-    /** Counts labelled events. */
-    synchronized void add(int newEvents, int newEventsWithFlow) {
+    /** Counts bytes read and events labelled. */
+    synchronized void add(long newBytes, int newEvents, int newEventsWithFlow) {
         events += newEvents;
         eventsWithFlow += newEventsWithFlow;
         if (bar != null) {
             double seconds = (System.nanoTime() - startNs) / 1e9;
-            bar.setExtraMessage(figures(events, eventsWithFlow, events / seconds));
+            bar.stepBy(newBytes);
+            bar.setExtraMessage(speed(events, eventsWithFlow, events / seconds));
         }
     }
 
     /** Shows the line of a recording that is finished. */
     synchronized void finished(String name, RunSummary summary) {
-        if (bar != null) {
-            bar.step();
-        }
         if (!quiet) {
             int segments = summary.segments().size();
-            say(String.format(Locale.ROOT, "%s: %s, %d %s, %.2f s", name,
-                figures(summary.recording().events(), summary.eventsWithFlow(), summary.eventsPerSecond()),
-                segments, segments == 1 ? "segment" : "segments", summary.seconds().wall()));
+            long all = summary.recording().events();
+            say(String.format(Locale.ROOT, "%s: %d events, %s, %d %s, %.2f s", name, all,
+                speed(all, summary.eventsWithFlow(), summary.eventsPerSecond()), segments,
+                segments == 1 ? "segment" : "segments", summary.seconds().wall()));
         }
     }
 
-    private static String figures(long events, long eventsWithFlow, double eventsPerSecond) {
+    private static String speed(long events, long eventsWithFlow, double eventsPerSecond) {
         double share = events == 0 ? 0 : 100.0 * eventsWithFlow / events;
-        return String.format(Locale.ROOT, "%d events, %.1f %% with flow, %.0f events/s", events, share,
-            eventsPerSecond);
+        return String.format(Locale.ROOT, "%.1f %% with flow, %.0f events/s", share, eventsPerSecond);
     }
 
     /** Shows a line, above the bar where there is one. */

@@ -97,6 +97,11 @@ public abstract class RecordingReader implements EventSource {
                 timeWraps, otherRecords);
     }
 
+    /** How far into the file the reading is, in bytes; what is still buffered is not counted. */
+    public final long bytesRead() {
+        return file.offset();
+    }
+
     /** Time of the first event delivered, µs; 0 before one was. */
     public final long firstTimeUs() {
         return firstTimeUs;
