@@ -88,7 +88,7 @@ final class Contour {
         int[] g = grid;
         int up = c - width;
         int down = c + width;
-        // up to 9 x 32,768 events would need 19 bits: the ring holds fewer than 65,536, so neither half overflows
+        // all live events together are fewer than 65,536, so neither half overflows
         int sum = g[up - 1] + g[up] + g[up + 1] + g[c - 1] + g[c] + g[c + 1] + g[down - 1] + g[down] + g[down + 1];
         int on = sum & ONE_OFF - 1;
         int off = sum >>> 16;

@@ -5,7 +5,7 @@ package io.github.sofas.flow;
  * bounded; a structure of that many events needs no more to be measured.
  */
 final class LiveEvents {
-    static final int CAPACITY = 1 << 15;
+    static final int CAPACITY = 1 << 14;
     private static final int MASK = CAPACITY - 1;
 
     final long[] timeUs = new long[CAPACITY];

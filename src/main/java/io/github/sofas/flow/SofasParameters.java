@@ -57,7 +57,7 @@ import java.lang.reflect.RecordComponent;
  *     pixel wide loses events to noise in time; {@code default} only)
  * @param voteCellPx side of the cells that velocities are measured with in px, 0.5 to 8 (ours, because cells as large
  *     as pixels favour whole pixels of travel; {@code default} only)
- * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 32,768 (ours, because
+ * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 16,384 (ours, because
  *     more events do not make it more accurate; {@code default} only)
  * @param sampleDensity metric an event below which a sample is enlarged, 0 to 100 (ours, because thinning events
  *     thins their meetings by the square; {@code default} only)
@@ -156,7 +156,7 @@ public record SofasParameters(
     double contourShare,
     @Parameter(value = "side of the cells that velocities are measured with", unit = "px", min = 0.5, max = 8)
     double voteCellPx,
-    @Parameter(value = "events that a velocity is measured from, where they meet often", min = 32, max = 32_768)
+    @Parameter(value = "events that a velocity is measured from, where they meet often", min = 32, max = 16_384)
     int sampleEvents,
     @Parameter(value = "metric an event below which a sample is enlarged", min = 0, max = 100)
     double sampleDensity,
@@ -282,15 +282,15 @@ public record SofasParameters(
     public static SofasParameters paper() {
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
-            0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.85, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05,
+            0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.95, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05,
             0.15, 64, 0.2, 0.15, 0.01, 0.8);
     }
 
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
-            15, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
-            0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.85, 0.25, 0.1, true, 1.5, 0.5, 0.1,
+            12, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
+            0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.95, 0.25, 0.1, true, 1.5, 0.5, 0.1,
             0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.8);
     }
 

@@ -16,7 +16,7 @@ public class SofasParametersTest {
     /** Component, paper, default; in the record's order. */
     private static final String PINNED = """
         preset PAPER DEFAULT
-        flowProjections 9 15
+        flowProjections 9 12
         velocityScalePxPerS 100.0 100.0
         rangeDeg 180.0 180.0
         refinement 9.0 9.0
@@ -48,7 +48,7 @@ public class SofasParametersTest {
         flatSigmas 2.0 2.0
         stiffness 0.002 0.002
         sharedScore 0.5 0.5
-        foresight 0.85 0.85
+        foresight 0.95 0.95
         maxBendPx 0.25 0.25
         flatChange 0.1 0.1
         rotation false true
