@@ -2,6 +2,7 @@ package io.github.sofas.cli;
 
 import java.io.IOException;
 import java.io.StringReader;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -36,6 +37,8 @@ final class ConfigFile {
             return config;
         } catch (NoSuchFileException e) {
             throw new IllegalArgumentException(name + "no such file: " + file, e);
+        } catch (CharacterCodingException e) {
+            throw new IllegalArgumentException(name + "must be text in UTF-8 but is not", e);
         } catch (IOException | IllegalArgumentException e) {
             // Properties complains of \\u escapes with an IllegalArgumentException.
             throw new IllegalArgumentException(name + "cannot be read: " + e.getMessage(), e);

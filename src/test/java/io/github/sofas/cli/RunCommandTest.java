@@ -356,6 +356,8 @@ public class RunCommandTest {
         Files.writeString(config, "cycles=few\n");
         assertUsage("[my.properties] line 1: cycles must be a whole number but was \"few\"", HEXAGON, "--config",
             config);
+        Files.write(config, new byte[] {(byte) 0xFF, '=', '3'});
+        assertUsage("[my.properties] must be text in UTF-8 but is not", HEXAGON, "--config", config);
         Files.delete(config);
         assertUsage("[my.properties] no such file: " + config, HEXAGON, "--config", config);
     }
