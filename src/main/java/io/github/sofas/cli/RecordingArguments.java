@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.regex.PatternSyntaxException;
 import java.util.stream.Stream;
 
 /**
@@ -70,7 +71,13 @@ final class RecordingArguments {
             return List.of(path);
         }
         if (argument.chars().anyMatch(c -> WILDCARDS.indexOf(c) >= 0)) {
-            List<Path> found = match(path);
+            List<Path> found;
+            try {
+                found = match(path);
+            } catch (PatternSyntaxException e) {
+                throw new IllegalArgumentException("[" + argument + "] no such file, and no pattern: "
+                    + e.getDescription(), e);
+            }
             if (found.isEmpty()) {
                 throw new IllegalArgumentException("[" + argument + "] no file matches this pattern");
             }
@@ -99,7 +106,22 @@ final class RecordingArguments {
         PathMatcher matcher = FileSystems.getDefault().getPathMatcher("glob:" + rest);
         int depth = rest.toString().contains("**") ? Integer.MAX_VALUE : rest.getNameCount();
         Path from = start;
-        return list(start, depth, file -> matcher.matches(from.relativize(file)));
+        // As in a shell, a wildcard does not stand for the dot of a hidden name; results in the making have such names.
+        boolean hiddenToo = isHidden(rest);
+        return list(start, depth, file -> {
+            Path relative = from.relativize(file);
+            return matcher.matches(relative) && (hiddenToo || !isHidden(relative));
+        });
+    }
+
+    /** Whether the file or one of the folders above it has a name that begins with a dot. */
+    private static boolean isHidden(Path path) {
+        for (Path name : path) {
+            if (name.toString().startsWith(".")) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static List<Path> list(Path folder, int depth, Predicate<Path> wanted) {

@@ -291,6 +291,23 @@ public class RunCommandTest {
     }
 
     @Test
+    public void takesHiddenFilesOnlyByPatternsWithADot() throws IOException {
+        writeEdge(root.resolve("day").resolve("a.aedat"));
+        writeEdge(root.resolve("day").resolve(".b.aedat"));
+        writeEdge(root.resolve("day").resolve(".old").resolve("c.aedat"));
+        assertEquals(0, run(root + "/day/**").exitCode);
+        assertEquals(results("a"), filesIn(out));
+        assertEquals(0, run(root + "/day/.*.aedat").exitCode);
+        assertEquals(results("a", ".b"), filesIn(out));
+    }
+
+    @Test
+    public void refusesPatternsThatCannotBeRead() {
+        assertUsage("[" + root + "/{a,b] no such file, and no pattern: Missing '}", root + "/{a,b");
+        assertUsage("[" + root + "/[a] no such file, and no pattern: Missing ']", root + "/[a");
+    }
+
+    @Test
     public void takesAFileWhoseNameLooksLikeAPattern() throws IOException {
         Path file = writeEdge(root.resolve("take[1].aedat"));
         assertEquals(0, run(file).exitCode);
