@@ -1,0 +1,60 @@
+package io.github.sofas.cli;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.List;
+import org.junit.Test;
+
+public class MainTest {
+    private static final List<String> COMMANDS = List.of("run", "info", "evaluate", "simulate", "bench");
+
+    @Test
+    public void needsACommand() {
+        Executed sofas = Executed.command();
+        assertEquals("a command is missing\nTry 'sofas --help'.\n", sofas.err);
+        assertEquals("", sofas.out);
+        assertEquals(2, sofas.exitCode);
+    }
+
+    @Test
+    public void suggestsTheCommandThatWasMeant() {
+        Executed sofas = Executed.command("rum");
+        assertTrue(sofas.err, sofas.err.startsWith("Unmatched argument at index 0: 'rum'\nDid you mean: sofas run"));
+        assertTrue(sofas.err, sofas.err.endsWith("\nTry 'sofas --help'.\n"));
+        assertEquals(2, sofas.exitCode);
+    }
+
+    @Test
+    public void tellsItsVersionAndThatOfJava() {
+        Executed sofas = Executed.command("--version");
+        assertEquals("sofas " + Version.text() + "\nJava " + Runtime.version() + "\n", sofas.out);
+        assertTrue(Version.text(), Version.text().matches("\\d+\\.\\d+\\.\\d+(-SNAPSHOT)?"));
+        assertEquals(0, sofas.exitCode);
+    }
+
+    @Test
+    public void helpsWithEveryCommand() {
+        Executed sofas = Executed.command("--help");
+        assertEquals(0, sofas.exitCode);
+        for (String command : COMMANDS) {
+            assertTrue(sofas.out, sofas.out.contains("\n  " + command + " "));
+            Executed help = Executed.command(command, "--help");
+            assertTrue(help.out, help.out.startsWith("Usage: sofas " + command + " "));
+            assertEquals("", help.err);
+            assertEquals(0, help.exitCode);
+            assertEquals(help.out, Executed.command("help", command).out);
+        }
+    }
+
+    @Test
+    public void completesEveryCommandInTheShell() {
+        Executed sofas = Executed.command("generate-completion");
+        assertEquals(0, sofas.exitCode);
+        assertTrue(sofas.out.startsWith("#!/usr/bin/env bash\n"));
+        for (String command : COMMANDS) {
+            assertTrue(command, sofas.out.contains("function _picocli_sofas_" + command + "()"));
+        }
+        assertTrue("presets", sofas.out.contains("\"paper\" \"default\""));
+    }
+}
