@@ -73,13 +73,13 @@ final class FlowPlane {
         oldest = new int[n];
         double range = p.fastestPxPerS() / p.slowestPxPerS();
         for (int i = 0; i < n; i++) {
-            speed[i] = p.slowestPxPerS() * Math.pow(range, i / (n - 1.0));
+            speed[i] = p.slowestPxPerS() * StrictMath.pow(range, i / (n - 1.0));
             windowUs[i] = (long) Math.min(p.lifespanUs(), p.flowTravelPx() / speed[i] * 1e6);
             for (int j = 0; j < n; j++) {
                 // every other ring is turned by half a step, to fill the gaps
                 double angle = 2 * Math.PI * (j + 0.5 * (i & 1)) / n;
-                vx[i * n + j] = Projection.fixed(speed[i] * Math.cos(angle));
-                vy[i * n + j] = Projection.fixed(speed[i] * Math.sin(angle));
+                vx[i * n + j] = Projection.fixed(speed[i] * StrictMath.cos(angle));
+                vy[i * n + j] = Projection.fixed(speed[i] * StrictMath.sin(angle));
             }
         }
     }

@@ -190,9 +190,9 @@ final class MetricFit {
         double mean = (xx + yy) / 2;
         double dif = (xx - yy) / 2;
         double root = Math.sqrt(dif * dif + xy * xy);
-        double angle = 0.5 * Math.atan2(2 * xy, xx - yy);
-        frameX = Math.cos(angle);
-        frameY = Math.sin(angle);
+        double angle = 0.5 * StrictMath.atan2(2 * xy, xx - yy);
+        frameX = StrictMath.cos(angle);
+        frameY = StrictMath.sin(angle);
         h1 = spacing(ofMetric * share, mean + root, least, most);
         h2 = spacing(ofMetric * share, mean - root, least, most);
     }
@@ -234,9 +234,9 @@ final class MetricFit {
         double mean = (haa + hbb) / 2;
         double dif = (haa - hbb) / 2;
         double root = Math.sqrt(dif * dif + hab * hab);
-        double angle = 0.5 * Math.atan2(-2 * hab, hbb - haa);
-        double ca = Math.cos(angle);
-        double sa = Math.sin(angle);
+        double angle = 0.5 * StrictMath.atan2(-2 * hab, hbb - haa);
+        double ca = StrictMath.cos(angle);
+        double sa = StrictMath.sin(angle);
         double floor = -2 * sigmas * Math.sqrt(metric);
         double s1 = stepTo(mean - root, ga * ca + gb * sa, floor);
         double s2 = stepTo(mean + root, gb * ca - ga * sa, floor);
@@ -307,16 +307,16 @@ final class MetricFit {
 
     /** Direction in which the velocity is known best, x of a unit vector; of the last fit. */
     double axisX() {
-        return Math.cos(axis());
+        return StrictMath.cos(axis());
     }
 
     /** The same, y. */
     double axisY() {
-        return Math.sin(axis());
+        return StrictMath.sin(axis());
     }
 
     private double axis() {
-        return 0.5 * Math.atan2(2 * lossXy, lossXx - lossYy);
+        return 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
     }
 
     /** Loss of metric per (px/s)² along the best known direction. */

@@ -105,7 +105,7 @@ final class PaperTrackPlane {
         lastUs = firstUs;
         checkedUs = firstUs;
         // the spacing of the last refining cycle
-        double spacing = p.rangeDeg() / Math.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
+        double spacing = p.rangeDeg() / StrictMath.pow(p.refinement(), p.cycles() - 1) / p.flowProjections();
         h = Math.min(p.maxPerturbationDeg(), Math.max(p.minPerturbationDeg(), spacing));
         centre(structure.angleX(), structure.angleY());
     }
@@ -233,7 +233,8 @@ final class PaperTrackPlane {
         double vy = p.velocityAt(angleY);
         vxPxPerS = (float) vx;
         vyPxPerS = (float) vy;
-        lifetimeUs = (long) Math.min(p.maxLifetimeUs(), p.lifetimePx() / Math.max(Math.hypot(vx, vy), 1e-6) * 1e6);
+        double speed = Math.max(StrictMath.hypot(vx, vy), 1e-6);
+        lifetimeUs = (long) Math.min(p.maxLifetimeUs(), p.lifetimePx() / speed * 1e6);
         referenceUs = time[head - 1];
         while (tail != head && time[tail] < referenceUs - lifetimeUs) {
             tail++;
@@ -328,8 +329,8 @@ final class PaperTrackPlane {
     boolean describesSameAs(PaperTrackPlane other) {
         double dvx = vxPxPerS - other.vxPxPerS;
         double dvy = vyPxPerS - other.vyPxPerS;
-        double speed = Math.max(Math.hypot(vxPxPerS, vyPxPerS), Math.hypot(other.vxPxPerS, other.vyPxPerS));
-        return Math.hypot(dvx, dvy) <= p.mergeVelocity() * speed
+        double speed = Math.max(StrictMath.hypot(vxPxPerS, vyPxPerS), StrictMath.hypot(other.vxPxPerS, other.vyPxPerS));
+        return StrictMath.hypot(dvx, dvy) <= p.mergeVelocity() * speed
             && minX <= other.maxX + 1 && other.minX <= maxX + 1 && minY <= other.maxY + 1 && other.minY <= maxY + 1;
     }
 

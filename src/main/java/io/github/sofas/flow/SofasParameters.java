@@ -57,8 +57,8 @@ import java.lang.reflect.RecordComponent;
  *     pixel wide loses events to noise in time; {@code default} only)
  * @param voteCellPx side of the cells that velocities are measured with in px, 0.5 to 8 (ours, because cells as large
  *     as pixels favour whole pixels of travel; {@code default} only)
- * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 16,384 (ours, because
- *     more events do not make it more accurate; {@code default} only)
+ * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 16,384 (ours, because the
+ *     cost of a measurement grows with them, and 2,000 reach a percent; {@code default} only)
  * @param sampleDensity metric an event below which a sample is enlarged, 0 to 100 (ours, because thinning events
  *     thins their meetings by the square; {@code default} only)
  * @param neighbourLoss share of the metric that neighbouring projections are to lose, 0.001 to 1 (ours, in place of
@@ -296,7 +296,7 @@ public record SofasParameters(
 
     /** Velocity of a projection at an angle, in px/s. */
     double velocityAt(double angleDeg) {
-        return velocityScalePxPerS * Math.tan(Math.toRadians(angleDeg));
+        return velocityScalePxPerS * StrictMath.tan(Math.toRadians(angleDeg));
     }
 
     /** Angle of the i-th of n projections over a range, so that none lies at 90 degrees, in degrees. */

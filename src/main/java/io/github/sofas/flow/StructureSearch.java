@@ -209,7 +209,8 @@ final class StructureSearch {
         double along = vy * axisX - vx * axisY;
         if (Math.abs(along) > 0.1 * Math.abs(across)) {
             climb(across * axisX, across * axisY, window);
-            if (fit.metric() < (1 - p.slowestWithin()) * bestMetric || Math.hypot(vx, vy) > Math.hypot(bestX, bestY)) {
+            if (fit.metric() < (1 - p.slowestWithin()) * bestMetric
+                    || vx * vx + vy * vy > bestX * bestX + bestY * bestY) {
                 climb(bestX, bestY, window);
             }
         }

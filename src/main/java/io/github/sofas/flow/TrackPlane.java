@@ -232,7 +232,7 @@ final class TrackPlane {
             forgetChange();
         } else if (measurements >= 2 && moved < 1) {
             measureChange(fit, half);
-            double bend = Math.hypot(rawAlong, rawAcross) * half * half / 2;
+            double bend = StrictMath.hypot(rawAlong, rawAcross) * half * half / 2;
             if (bend > p.maxBendPx()) {
                 lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
             } else if (moved < p.steadyPx() && bend < 0.7 * p.maxBendPx()) {
@@ -271,7 +271,7 @@ final class TrackPlane {
             motion.vx += along * fit.axisY();
             motion.vy -= along * fit.axisX();
         }
-        return Math.hypot(stepX, stepY);
+        return StrictMath.hypot(stepX, stepY);
     }
 
     /**
@@ -360,8 +360,9 @@ final class TrackPlane {
 
     /** Whether the velocities agree along the axis that this plane knows best, and it knows that one well. */
     private boolean agrees(TrackPlane other) {
-        double angle = 0.5 * Math.atan2(2 * lossXy, lossXx - lossYy);
-        double d = (motion.vx - other.motion.vx) * Math.cos(angle) + (motion.vy - other.motion.vy) * Math.sin(angle);
+        double angle = 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
+        double d = (motion.vx - other.motion.vx) * StrictMath.cos(angle)
+            + (motion.vy - other.motion.vy) * StrictMath.sin(angle);
         double speed = Math.max(motion.speed(contour.radius()), other.motion.speed(other.contour.radius()));
         return known && Math.abs(d) < p.mergeVelocity() * speed;
     }
