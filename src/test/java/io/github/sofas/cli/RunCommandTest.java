@@ -19,6 +19,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -166,6 +168,17 @@ public class RunCommandTest {
 
     private static void assertHas(String text, String part) {
         assertTrue(part + " in " + text, text.contains(part));
+    }
+
+    @Test
+    public void printsWhatTheReadmeSays() throws IOException {
+        Matcher said = Pattern.compile("It prints\n`(hexagon: .*?, )\\.\\.\\.( .*?)`")
+            .matcher(Files.readString(Path.of("README.md")));
+        assertTrue("the README's example", said.find());
+        Executed run = run(HEXAGON);
+        // Between the two is the speed, behind them the time.
+        assertTrue(run.err, run.err.startsWith(said.group(1)));
+        assertTrue(run.err, run.err.contains("events/s," + said.group(2) + ", "));
     }
 
     @Test
