@@ -12,12 +12,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.ArgGroupSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /**
  * The algorithm's parameters on the command line. The options are not listed here: each component of
@@ -39,11 +41,24 @@ final class ParameterOptions {
         }
     }
 
+    /** Names presets in its message as the help does. */
+    private static final class PresetConverter implements ITypeConverter<SofasParameters.Preset> {
+        @Override
+        public SofasParameters.Preset convert(String text) {
+            for (SofasParameters.Preset each : SofasParameters.Preset.values()) {
+                if (text(each).equalsIgnoreCase(text)) {
+                    return each;
+                }
+            }
+            throw new TypeConversionException("must be one of " + new PresetNames() + " but was \"" + text + "\"");
+        }
+    }
+
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
     @Option(names = "--preset", paramLabel = "PRESET", defaultValue = "default",
-        completionCandidates = PresetNames.class,
+        completionCandidates = PresetNames.class, converter = PresetConverter.class,
         description = "Base of the algorithm's parameters: ${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}.")
     private SofasParameters.Preset preset;
 

@@ -357,8 +357,8 @@ public class RunCommandTest {
 
     @Test
     public void refusesUnknownPresets() {
-        assertUsage("Invalid value for option '--preset': expected one of [PAPER, DEFAULT] (case-insensitive) but was "
-            + "'fast'", HEXAGON, "--preset", "fast");
+        assertUsage("Invalid value for option '--preset': must be one of [paper, default] but was \"fast\"", HEXAGON,
+            "--preset", "fast");
     }
 
     @Test
