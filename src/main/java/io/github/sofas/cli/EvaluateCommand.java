@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
 
 /** Holds a method's flow and segments against the truth of every event. */
 @Command(name = "evaluate", sortOptions = false,
+    customSynopsis = "sofas evaluate [OPTION]... --truth FILE RECORDING",
     description = {"Say how right flow and segments of a recording are, against the truth of every event.",
         "The truth is a CSV file with the columns " + TruthCsvReader.HEADER + ", one line for each event of the "
         + "recording; object 0 is noise. Figures are printed; --json and --csv write them for programs."},

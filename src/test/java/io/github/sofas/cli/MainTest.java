@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.util.List;
@@ -41,6 +42,7 @@ public class MainTest {
             assertTrue(sofas.out, sofas.out.contains("\n  " + command + " "));
             Executed help = Executed.command(command, "--help");
             assertTrue(help.out, help.out.startsWith("Usage: sofas " + command + " "));
+            assertFalse("all options in the synopsis", help.out.contains("[--bend-px"));
             assertEquals("", help.err);
             assertEquals(0, help.exitCode);
             assertEquals(help.out, Executed.command("help", command).out);
