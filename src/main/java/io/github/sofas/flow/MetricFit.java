@@ -56,6 +56,8 @@ final class MetricFit {
     private double lossXx;
     private double lossXy;
     private double lossYy;
+    private double axisX;
+    private double axisY;
     private double stepX;
     private double stepY;
     private double steps;
@@ -256,6 +258,9 @@ final class MetricFit {
         lossXx = laa * frameX * frameX - 2 * lab * frameX * frameY + lbb * frameY * frameY;
         lossYy = laa * frameY * frameY + 2 * lab * frameX * frameY + lbb * frameX * frameX;
         lossXy = (laa - lbb) * frameX * frameY + lab * (frameX * frameX - frameY * frameY);
+        double best = 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
+        axisX = StrictMath.cos(best);
+        axisY = StrictMath.sin(best);
     }
 
     /** Greatest of the nine metrics, in votes squared. */
@@ -307,16 +312,12 @@ final class MetricFit {
 
     /** Direction in which the velocity is known best, x of a unit vector; of the last fit. */
     double axisX() {
-        return StrictMath.cos(axis());
+        return axisX;
     }
 
     /** The same, y. */
     double axisY() {
-        return StrictMath.sin(axis());
-    }
-
-    private double axis() {
-        return 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
+        return axisY;
     }
 
     /** Loss of metric per (px/s)² along the best known direction. */

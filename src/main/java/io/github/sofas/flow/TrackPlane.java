@@ -34,6 +34,9 @@ final class TrackPlane {
     private double lossXx;
     private double lossXy;
     private double lossYy;
+    /** Direction in which the velocity is known best, a unit vector. */
+    private double axisX;
+    private double axisY;
     private boolean known;
     /** Metric an event of all live events. */
     private double density;
@@ -225,6 +228,8 @@ final class TrackPlane {
         lossXx = fit.lossXx();
         lossXy = fit.lossXy();
         lossYy = fit.lossYy();
+        axisX = fit.axisX();
+        axisY = fit.axisY();
         known = Math.max(lossXx, lossYy) * px * px > 0.01 * metric;
         widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(fit, px, crossing) / px;
@@ -267,9 +272,9 @@ final class TrackPlane {
         motion.vx += stepX;
         motion.vy += stepY;
         if (fit.isFlat()) {
-            double along = (motion.vy * fit.axisX() - motion.vx * fit.axisY()) * p.flatDecay();
-            motion.vx += along * fit.axisY();
-            motion.vy -= along * fit.axisX();
+            double along = (motion.vy * axisX - motion.vx * axisY) * p.flatDecay();
+            motion.vx += along * axisY;
+            motion.vy -= along * axisX;
         }
         return StrictMath.hypot(stepX, stepY);
     }
@@ -279,8 +284,6 @@ final class TrackPlane {
      * rotation. The velocity at the reference, the middle of the window, stays.
      */
     private void measureChange(MetricFit fit, double half) {
-        double axisX = fit.axisX();
-        double axisY = fit.axisY();
         double bestKnown = Math.max(lossXx, lossYy) / (half * half);
         double acceleration = 2 / (half * half); // shifts both ends of the window by one pixel
         double h = acceleration * p.changePx();
@@ -360,9 +363,7 @@ final class TrackPlane {
 
     /** Whether the velocities agree along the axis that this plane knows best, and it knows that one well. */
     private boolean agrees(TrackPlane other) {
-        double angle = 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
-        double d = (motion.vx - other.motion.vx) * StrictMath.cos(angle)
-            + (motion.vy - other.motion.vy) * StrictMath.sin(angle);
+        double d = (motion.vx - other.motion.vx) * axisX + (motion.vy - other.motion.vy) * axisY;
         double speed = Math.max(motion.speed(contour.radius()), other.motion.speed(other.contour.radius()));
         return known && Math.abs(d) < p.mergeVelocity() * speed;
     }
