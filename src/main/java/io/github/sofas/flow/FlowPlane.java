@@ -10,24 +10,31 @@ import java.util.Arrays;
  * the time in which its own velocity travels a number of pixels, so that slow and fast structures are looked for at
  * once and on equal terms; and cells are 2 x 2 px, which makes neighbouring velocities overlap and lets an accumulator
  * stay in the first-level cache. Events are added in blocks, projection by projection, for the same reason.
+ *
+ * <p>An accumulator is a torus whose width and height are 2^32 units of position each: an {@code int} wraps as the
+ * torus does, and projecting a block is plain {@code int} arithmetic, which the compiler vectorises.
  */
 final class FlowPlane {
-    /** Most events of a block, and its longest time: how late a structure may be found. */
-    private static final int BLOCK = 256;
-    private static final long BLOCK_US = 2_000;
-    /** Positions are in 1/256 px, cells 512 of those. */
-    private static final int POSITION_BITS = 8;
-    private static final int CELL_BITS = POSITION_BITS + 1;
-    private static final int SHIFT = Projection.BITS - POSITION_BITS;
+    /** Most events, and longest time, between two settlings: how late a structure may be found. */
+    private static final int SETTLING = 256;
+    private static final long SETTLING_US = 2_000;
+    /** Most events of a block. */
+    private static final int BLOCK = 1024;
+    /** Part of a ring's window after which it takes its events in, where they are no block yet. */
+    private static final int WINDOW_PARTS = 16;
+    /** A ring's time is in ticks in which it travels at most this part of a pixel, where a µs is not longer. */
+    private static final double TICK_PX = 1.0 / 256;
 
     private final int n;
     private final double[] speed;
     private final long[] windowUs;
+    /** Ticks of a ring: 2^this µs. */
+    private final int[] tickBits;
+    // units a tick
     private final int[] vx;
     private final int[] vy;
     // accumulators are tori larger than the sensor and the travel, so that live events never meet across the seam
-    private final int maskX;
-    private final int maskY;
+    private final int columnBits;
     private final int rowBits;
     private final short[][] f;
     private final long[] metric;
@@ -35,6 +42,9 @@ final class FlowPlane {
     private final int[] count;
     /** Number of the oldest event held by the projections of a speed. */
     private final int[] oldest;
+    /** Number after the newest event held by the projections of a speed, and when it was taken in. */
+    private final int[] end;
+    private final long[] settledUs;
 
     // events by number, modulo the capacity
     private long[] timeUs = new long[1 << 14];
@@ -42,62 +52,80 @@ final class FlowPlane {
     private short[] y = new short[1 << 14];
     /** +1, -1, or 0 once taken out. */
     private byte[] sign = new byte[1 << 14];
+    /** Rings in which the event was looked at in vain, a bit each. */
+    private int[] refused = new int[1 << 14];
     private int mask = timeUs.length - 1;
     private int head;
+    /** Number of the oldest event held by any projection. */
+    private int first;
+    /** Number after the newest event that the last settling saw. */
     private int settled;
     private long epochUs;
-    private long blockStartUs;
+    /** Time of the oldest event since. */
+    private long waitingUs;
     private long total;
     private boolean started;
 
-    // a block, gathered
-    private final int[] blockX = new int[BLOCK];
-    private final int[] blockY = new int[BLOCK];
-    private final long[] blockUs = new long[BLOCK];
-    private final int[] blockSign = new int[BLOCK];
+    // a block, gathered; a place more for an event that turns out to have been taken out
+    private final int[] blockX = new int[BLOCK + 1];
+    private final int[] blockY = new int[BLOCK + 1];
+    private final long[] blockUs = new long[BLOCK + 1];
+    private final int[] blockTicks = new int[BLOCK + 1];
+    private final int[] blockSign = new int[BLOCK + 1];
+    private final int[] blockCells = new int[BLOCK + 1];
 
     FlowPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         n = p.flowProjections();
-        int sizeX = powerOfTwo(sensorWidth / 2 + (int) p.flowTravelPx() / 2 + 3);
-        int sizeY = powerOfTwo(sensorHeight / 2 + (int) p.flowTravelPx() / 2 + 3);
-        maskX = sizeX - 1;
-        maskY = sizeY - 1;
-        rowBits = Integer.numberOfTrailingZeros(sizeX);
+        columnBits = bits(sensorWidth, p);
+        rowBits = bits(sensorHeight, p);
         speed = new double[n];
         windowUs = new long[n];
+        tickBits = new int[n];
         vx = new int[n * n];
         vy = new int[n * n];
-        f = new short[n * n][sizeX * sizeY];
+        f = new short[n * n][1 << columnBits + rowBits];
         metric = new long[n * n];
         count = new int[n];
         oldest = new int[n];
+        end = new int[n];
+        settledUs = new long[n];
         double range = p.fastestPxPerS() / p.slowestPxPerS();
         for (int i = 0; i < n; i++) {
             speed[i] = p.slowestPxPerS() * StrictMath.pow(range, i / (n - 1.0));
             windowUs[i] = (long) Math.min(p.lifespanUs(), p.flowTravelPx() / speed[i] * 1e6);
+            tickBits[i] = Math.max(0, Math.getExponent(TICK_PX / speed[i] * 1e6));
+            double pxPerTick = speed[i] * 1e-6 * (1L << tickBits[i]);
             for (int j = 0; j < n; j++) {
                 // every other ring is turned by half a step, to fill the gaps
                 double angle = 2 * Math.PI * (j + 0.5 * (i & 1)) / n;
-                vx[i * n + j] = Projection.fixed(speed[i] * StrictMath.cos(angle));
-                vy[i * n + j] = Projection.fixed(speed[i] * StrictMath.sin(angle));
+                vx[i * n + j] = (int) Math.rint(pxPerTick * StrictMath.cos(angle) * unitsPerPx(columnBits));
+                vy[i * n + j] = (int) Math.rint(pxPerTick * StrictMath.sin(angle) * unitsPerPx(rowBits));
             }
         }
     }
 
-    private static int powerOfTwo(int least) {
-        return Integer.highestOneBit(least - 1) << 1;
+    /** Cells along an axis, as a power of two. */
+    private static int bits(int sensorSide, SofasParameters p) {
+        int least = sensorSide / 2 + (int) p.flowTravelPx() / 2 + 3;
+        return Integer.SIZE - Integer.numberOfLeadingZeros(least - 1);
     }
 
-    /** Adds an event to the block. */
+    /** Cells are two pixels wide. */
+    private static int unitsPerPx(int bits) {
+        return 1 << Integer.SIZE - 1 - bits;
+    }
+
+    /** Adds an event, which waits to be projected. */
     void add(int eventX, int eventY, long eventUs, int polarity) {
         if (!started) {
             started = true;
             epochUs = eventUs;
+            Arrays.fill(settledUs, eventUs);
         }
         if (head == settled) {
-            blockStartUs = eventUs;
+            waitingUs = eventUs;
         }
-        if (head - oldest[0] > mask) {
+        if (head - first > mask) {
             grow();
         }
         int i = head++ & mask;
@@ -105,6 +133,7 @@ final class FlowPlane {
         x[i] = (short) eventX;
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
+        refused[i] = 0;
     }
 
     private void grow() {
@@ -113,126 +142,165 @@ final class FlowPlane {
         short[] newX = new short[capacity];
         short[] newY = new short[capacity];
         byte[] newSign = new byte[capacity];
-        for (int i = oldest[0]; i != head; i++) {
+        int[] newRefused = new int[capacity];
+        for (int i = first; i != head; i++) {
             int from = i & mask;
             int to = i & capacity - 1;
             newUs[to] = timeUs[from];
             newX[to] = x[from];
             newY[to] = y[from];
             newSign[to] = sign[from];
+            newRefused[to] = refused[from];
         }
         timeUs = newUs;
         x = newX;
         y = newY;
         sign = newSign;
+        refused = newRefused;
         mask = capacity - 1;
     }
 
-    /** Whether the block is to be settled. */
-    boolean isBlockFull(long nowUs) {
-        return head - settled == BLOCK || head != settled && nowUs - blockStartUs > BLOCK_US;
+    /** Whether events wait to be projected, enough of them or long enough. */
+    boolean isToSettle(long nowUs) {
+        return head - settled == SETTLING || head != settled && nowUs - waitingUs > SETTLING_US;
     }
 
-    /** Projects the events of the block, and lets those go that each projection has held long enough. */
+    /**
+     * Lets each ring take in the events that came, and those go that it has held long enough; a slow ring not at each
+     * block, because few events at a time are dear: each accumulator has to come into the cache first.
+     */
     void settle(long nowUs) {
-        int size = gather(settled, head);
-        for (int k = 0; k < n * n; k++) {
-            metric[k] += vote(k, size, 1);
-        }
-        for (int i = 0; i < n; i++) {
-            count[i] += size;
-        }
         total += head - settled;
         settled = head;
         for (int i = 0; i < n; i++) {
-            release(i, nowUs - windowUs[i]);
+            if (head - end[i] >= BLOCK || (nowUs - settledUs[i]) * WINDOW_PARTS >= windowUs[i]) {
+                settledUs[i] = nowUs;
+                while (end[i] != head) {
+                    int to = end[i] + Math.min(BLOCK, head - end[i]);
+                    vote(i, gatherAll(end[i], to), 1);
+                    end[i] = to;
+                }
+                release(i, nowUs - windowUs[i]);
+            }
+        }
+        first = oldest[0];
+        for (int number : oldest) {
+            first = number - first < 0 ? number : first;
         }
     }
 
     private void release(int ring, long limitUs) {
         int from = oldest[ring];
-        while (from != settled && timeUs[from & mask] < limitUs) {
-            int end = from;
-            while (end != settled && end - from < BLOCK && timeUs[end & mask] < limitUs) {
-                end++;
+        while (from != end[ring] && timeUs[from & mask] < limitUs) {
+            int to = from;
+            while (to != end[ring] && to - from < BLOCK && timeUs[to & mask] < limitUs) {
+                to++;
             }
-            int size = gather(from, end);
-            for (int k = ring * n; k < ring * n + n; k++) {
-                metric[k] += vote(k, size, -1);
-            }
-            count[ring] -= size;
-            from = end;
+            vote(ring, gatherAll(from, to), -1);
+            from = to;
         }
         oldest[ring] = from;
     }
 
-    private int gather(int from, int end) {
+    /** Gathers a block of events, and returns how many there are. */
+    private int gatherAll(int from, int to) {
         int size = 0;
-        for (int e = from; e != end; e++) {
-            int i = e & mask;
-            if (sign[i] != 0) {
-                blockX[size] = x[i] << POSITION_BITS;
-                blockY[size] = y[i] << POSITION_BITS;
-                blockUs[size] = timeUs[i] - epochUs;
-                blockSign[size] = sign[i];
-                size++;
-            }
+        for (int e = from; e != to; e++) {
+            size = gather(e, size);
         }
         return size;
     }
 
-    /**
-     * Adds the gathered events to an accumulator, or takes them out again with weight -1.
-     *
-     * @return change of its metric: 2 w f + w² an event
-     */
-    private long vote(int k, int size, int weight) {
-        short[] cells = f[k];
-        long vxk = vx[k];
-        long vyk = vy[k];
-        int mx = maskX;
-        int my = maskY;
-        int bits = rowBits;
-        long change = size;
+    /** Adds an event to the block unless it was taken out; returns how many are in the block. */
+    private int gather(int event, int size) {
+        int i = event & mask;
+        blockX[size] = x[i] << Integer.SIZE - 1 - columnBits;
+        blockY[size] = y[i] << Integer.SIZE - 1 - rowBits;
+        blockUs[size] = timeUs[i] - epochUs;
+        blockSign[size] = sign[i];
+        return sign[i] == 0 ? size : size + 1;
+    }
+
+    /** Adds the gathered events to the accumulators of a ring, or takes them out again with weight -1. */
+    private void vote(int ring, int size, int weight) {
+        int tick = tickBits[ring];
         for (int i = 0; i < size; i++) {
-            long dt = blockUs[i];
-            int cx = (int) ((blockX[i] - (vxk * dt >> SHIFT)) >> CELL_BITS) & mx;
-            int cy = (int) ((blockY[i] - (vyk * dt >> SHIFT)) >> CELL_BITS) & my;
-            int c = cy << bits | cx;
-            int w = blockSign[i] * weight;
-            int before = cells[c];
+            blockTicks[i] = (int) (blockUs[i] >> tick);
+        }
+        for (int k = ring * n; k < ring * n + n; k++) {
+            project(k, size);
+            metric[k] += vote(f[k], size, weight);
+        }
+        count[ring] += weight * size;
+    }
+
+    private void project(int k, int size) {
+        int[] px = blockX;
+        int[] py = blockY;
+        int[] ticks = blockTicks;
+        int[] cells = blockCells;
+        int vxk = vx[k];
+        int vyk = vy[k];
+        int toColumn = Integer.SIZE - columnBits;
+        int toRow = Integer.SIZE - rowBits;
+        int bits = columnBits;
+        for (int i = 0; i < size; i++) {
+            cells[i] = (py[i] - vyk * ticks[i] >>> toRow) << bits | px[i] - vxk * ticks[i] >>> toColumn;
+        }
+    }
+
+    /** Adds the block to an accumulator; returns the change of its metric, 2 w f + w² an event. */
+    private int vote(short[] accumulator, int size, int weight) {
+        int[] cells = blockCells;
+        int[] signs = blockSign;
+        int change = size;
+        for (int i = 0; i < size; i++) {
+            int c = cells[i];
+            int w = signs[i] * weight;
+            int before = accumulator[c];
             change += 2 * w * before;
-            cells[c] = (short) (before + w);
+            accumulator[c] = (short) (before + w);
         }
         // an event taken out changes the metric by -2 w f + w² of what it added: the same expression with -w
         return change;
     }
 
     /** Takes events out of all projections, by number. */
-    void takeOut(int[] events, int size) {
-        for (int a = 0; a < size; a++) {
-            if (gather(events[a], events[a] + 1) == 0) {
-                continue;
-            }
-            for (int i = 0; i < n; i++) {
-                if (events[a] - oldest[i] >= 0) {
-                    for (int k = i * n; k < i * n + n; k++) {
-                        metric[k] += vote(k, 1, -1);
+    void takeOut(int[] events, int from, int size) {
+        for (int i = 0; i < n; i++) {
+            int a = from;
+            while (a < from + size) {
+                int block = 0;
+                while (a < from + size && block < BLOCK) {
+                    int e = events[a++];
+                    if (e - oldest[i] >= 0 && e - end[i] < 0) {
+                        block = gather(e, block);
                     }
-                    count[i]--;
                 }
+                vote(i, block, -1);
             }
+        }
+        for (int a = from; a < from + size; a++) {
             sign[events[a] & mask] = 0;
         }
+    }
+
+    /** Notes that an event was looked at in vain, in a ring. */
+    void refuse(int ring, int event) {
+        refused[event & mask] |= 1 << ring;
+    }
+
+    boolean wasRefused(int ring, int event) {
+        return (refused[event & mask] >> ring & 1) != 0;
     }
 
     /** Cell of an event in a projection. */
     int cell(int k, int event) {
         int i = event & mask;
-        long dt = timeUs[i] - epochUs;
-        int cx = (int) (((x[i] << POSITION_BITS) - (vx[k] * dt >> SHIFT)) >> CELL_BITS) & maskX;
-        int cy = (int) (((y[i] << POSITION_BITS) - (vy[k] * dt >> SHIFT)) >> CELL_BITS) & maskY;
-        return cy << rowBits | cx;
+        int ticks = (int) (timeUs[i] - epochUs >> tickBits[k / n]);
+        int px = (x[i] << Integer.SIZE - 1 - columnBits) - vx[k] * ticks;
+        int py = (y[i] << Integer.SIZE - 1 - rowBits) - vy[k] * ticks;
+        return py >>> Integer.SIZE - rowBits << columnBits | px >>> Integer.SIZE - columnBits;
     }
 
     /** Projections along each axis. */
@@ -240,13 +308,13 @@ final class FlowPlane {
         return n;
     }
 
-    /** Cells of an accumulator: columns in the low {@link #rowBits} bits of an index, rows above. */
+    /** Cells of an accumulator: columns in the low {@link #columnBits} bits of an index, rows above. */
     int cells() {
         return f[0].length;
     }
 
-    int rowBits() {
-        return rowBits;
+    int columnBits() {
+        return columnBits;
     }
 
     /** Accumulator of a projection, read only. */
@@ -269,11 +337,11 @@ final class FlowPlane {
 
     /** Velocity of a projection in px/s. */
     double vx(int k) {
-        return vx[k] * 1e6 / (1L << Projection.BITS);
+        return vx[k] / (double) unitsPerPx(columnBits) / (1L << tickBits[k / n]) * 1e6;
     }
 
     double vy(int k) {
-        return vy[k] * 1e6 / (1L << Projection.BITS);
+        return vy[k] / (double) unitsPerPx(rowBits) / (1L << tickBits[k / n]) * 1e6;
     }
 
     /** Number of the oldest event that the projections of a speed hold. */
@@ -281,12 +349,12 @@ final class FlowPlane {
         return oldest[ring];
     }
 
-    /** Number after the newest event that is projected. */
-    int end() {
-        return settled;
+    /** Number after the newest event that the projections of a speed hold. */
+    int end(int ring) {
+        return end[ring];
     }
 
-    /** How many events were ever projected. */
+    /** How many events ever came. */
     long total() {
         return total;
     }
@@ -315,7 +383,9 @@ final class FlowPlane {
         Arrays.fill(metric, 0);
         Arrays.fill(count, 0);
         Arrays.fill(oldest, 0);
+        Arrays.fill(end, 0);
         head = 0;
+        first = 0;
         settled = 0;
         total = 0;
         started = false;

@@ -34,7 +34,7 @@ final class RefinedMethod implements Method {
         } else if (!lone.isAlone(x, y, timeUs)) {
             flowPlane.add(x, y, timeUs, polarity);
         }
-        if (flowPlane.isBlockFull(timeUs)) {
+        if (flowPlane.isToSettle(timeUs)) {
             flowPlane.settle(timeUs);
             if (!stack.isFull()) {
                 search.run(stack);

@@ -19,6 +19,10 @@ final class StructureSearch {
     private static final int LEAST_STRONG = 3;
     private static final int LEAST_OCCUPIED = 2;
     private static final int MOST_FITS = 8;
+    /** Share of the evidence below which a piece is given up after three fits. */
+    private static final double HOPELESS = 0.75;
+    /** Share of its events that a piece must not have been looked at with before, in vain. */
+    private static final double NEWS = 0.25;
 
     private final FlowPlane plane;
     private final SofasParameters p;
@@ -30,8 +34,12 @@ final class StructureSearch {
     private final int[] label;
     private final int[] fill;
     private int filled;
+    // events of the best projection by piece, as numbers of the flow plane; and the piece that is looked at
     private int[] events = new int[4096];
-    private int[] sizes = new int[256];
+    private int[] pieceOf = new int[4096];
+    private int[] starts = new int[256];
+    private int from;
+    private int size;
     private double vx;
     private double vy;
 
@@ -94,13 +102,16 @@ final class StructureSearch {
         int pieces = connect(plane.accumulator(k));
         boolean found = false;
         if (pieces > 0) {
-            countEvents(k, pieces);
+            sort(k, pieces);
             for (int piece = 1; piece <= pieces && !stack.isFull(); piece++) {
-                if (sizes[piece] >= p.minEvents()) {
-                    int size = collect(k, piece);
-                    if (refine(k, size)) {
-                        track(size, stack);
+                from = starts[piece];
+                size = starts[piece + 1] - from;
+                if (size >= p.minEvents() && isNews(k / n)) {
+                    if (refine(k)) {
+                        track(stack);
                         found = true;
+                    } else {
+                        refuse(k / n);
                     }
                 }
             }
@@ -114,7 +125,7 @@ final class StructureSearch {
     /** Numbers the pieces: cells above mean + w sd of the occupied ones, and occupied cells connected to them. */
     private int connect(short[] f) {
         double threshold = threshold(f);
-        int columns = (1 << plane.rowBits()) - 1;
+        int columns = (1 << plane.columnBits()) - 1;
         int rows = f.length / (columns + 1) - 1;
         int pieces = 0;
         filled = 0;
@@ -129,10 +140,10 @@ final class StructureSearch {
             while (next < filled) {
                 int d = fill[next++];
                 int x = d & columns;
-                int y = d >> plane.rowBits();
+                int y = d >> plane.columnBits();
                 for (int dy = -1; dy <= 1; dy++) {
                     for (int dx = -1; dx <= 1; dx++) {
-                        int e = (y + dy & rows) << plane.rowBits() | x + dx & columns;
+                        int e = (y + dy & rows) << plane.columnBits() | x + dx & columns;
                         if (label[e] == 0 && Math.abs(f[e]) >= LEAST_OCCUPIED) {
                             label[e] = pieces;
                             fill[filled++] = e;
@@ -164,41 +175,66 @@ final class StructureSearch {
         return Math.max(LEAST_STRONG, mean + p.thresholdSd() * sd);
     }
 
-    private void countEvents(int k, int pieces) {
-        if (sizes.length <= pieces) {
-            sizes = new int[2 * pieces];
+    /** Sorts the events of a projection by the pieces that they fall on, in order of time. */
+    private void sort(int k, int pieces) {
+        if (starts.length < pieces + 2) {
+            starts = new int[2 * pieces];
         }
-        Arrays.fill(sizes, 0, pieces + 1, 0);
-        for (int e = plane.oldest(k / n); e != plane.end(); e++) {
-            if (plane.sign(e) != 0) {
-                sizes[label[plane.cell(k, e)]]++;
+        Arrays.fill(starts, 0, pieces + 2, 0);
+        int ring = k / n;
+        int held = plane.end(ring) - plane.oldest(ring);
+        if (events.length < held) {
+            events = new int[2 * held];
+            pieceOf = new int[2 * held];
+        }
+        for (int i = 0; i < held; i++) {
+            int e = plane.oldest(ring) + i;
+            pieceOf[i] = plane.sign(e) == 0 ? 0 : label[plane.cell(k, e)];
+            starts[pieceOf[i]]++;
+        }
+        int end = 0;
+        for (int piece = 0; piece <= pieces + 1; piece++) {
+            int its = starts[piece];
+            starts[piece] = end;
+            end += its;
+        }
+        for (int i = 0; i < held; i++) {
+            events[starts[pieceOf[i]]++] = plane.oldest(ring) + i;
+        }
+        // each start moved to the next one's
+        System.arraycopy(starts, 0, starts, 1, pieces + 1);
+        starts[0] = 0;
+    }
+
+    /** Whether enough of the piece was not looked at in vain before. */
+    private boolean isNews(int ring) {
+        int old = 0;
+        for (int a = from; a < from + size; a++) {
+            if (plane.wasRefused(ring, events[a])) {
+                old++;
             }
+        }
+        return old <= (1 - NEWS) * size;
+    }
+
+    private void refuse(int ring) {
+        for (int a = from; a < from + size; a++) {
+            plane.refuse(ring, events[a]);
         }
     }
 
-    private int collect(int k, int piece) {
-        if (sizes[piece] > events.length) {
-            events = new int[2 * sizes[piece]];
-        }
-        int size = 0;
-        for (int e = plane.oldest(k / n); e != plane.end(); e++) {
-            if (plane.sign(e) != 0 && label[plane.cell(k, e)] == piece) {
-                events[size++] = e;
-            }
-        }
-        return size;
-    }
-
-    /** Whether the piece collected is a structure; its velocity is left in (vx, vy). */
-    private boolean refine(int k, int size) {
-        long firstUs = plane.timeUs(events[0]);
-        long lastUs = plane.timeUs(events[size - 1]);
+    /** Whether the piece is a structure; its velocity is left in (vx, vy). */
+    private boolean refine(int k) {
+        long firstUs = plane.timeUs(events[from]);
+        long lastUs = plane.timeUs(events[from + size - 1]);
         double window = (lastUs - firstUs) * 1e-6;
         if (window <= 0) {
             return false;
         }
-        load(size, (firstUs + lastUs) >> 1);
-        climb(plane.vx(k), plane.vy(k), window);
+        load((firstUs + lastUs) >> 1);
+        if (!climb(plane.vx(k), plane.vy(k), window, HOPELESS * p.evidence()) || !isEvident(window)) {
+            return false;
+        }
         // the slowest of what is about as good: without the velocity along the edge
         double bestX = vx;
         double bestY = vy;
@@ -208,31 +244,44 @@ final class StructureSearch {
         double across = vx * axisX + vy * axisY;
         double along = vy * axisX - vx * axisY;
         if (Math.abs(along) > 0.1 * Math.abs(across)) {
-            climb(across * axisX, across * axisY, window);
+            climb(across * axisX, across * axisY, window, 0);
             if (fit.metric() < (1 - p.slowestWithin()) * bestMetric
                     || vx * vx + vy * vy > bestX * bestX + bestY * bestY) {
-                climb(bestX, bestY, window);
+                climb(bestX, bestY, window, 0);
             }
         }
+        return isEvident(window);
+    }
+
+    /** Whether what was fitted last has travelled enough, and meets itself enough. */
+    private boolean isEvident(double window) {
         // travel counts where it is seen: in the directions that would lose by standing still
         double loss = fit.lossXx() * vx * vx + 2 * fit.lossXy() * vx * vy + fit.lossYy() * vy * vy;
         double travelPx = Math.sqrt(Math.max(0, loss / fit.bestLoss())) * window;
-        double density = fit.metric() / fit.size() * size / fit.size();
-        return travelPx > 0.6 * p.flowTravelPx() && density >= p.evidence();
+        return travelPx > 0.6 * p.flowTravelPx() && density() >= p.evidence();
     }
 
-    private void load(int size, long referenceUs) {
+    /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */
+    private double density() {
+        return fit.metric() / fit.size() * size / fit.size();
+    }
+
+    private void load(long referenceUs) {
         fit.clear();
         int want = Math.min(size, Math.min(fit.capacity(), 2 * p.sampleEvents()));
         long stride = ((long) size << 16) / want;
         for (int a = 0; a < want; a++) {
-            int e = events[(int) (a * stride >> 16)];
+            int e = events[from + (int) (a * stride >> 16)];
             fit.add(plane.x(e), plane.y(e), (plane.timeUs(e) - referenceUs) * 1e-6f, 0, 0, plane.sign(e));
         }
     }
 
-    /** Climbs to the nearest top of the metric, from coarse to fine: the paper's refining cycles. */
-    private void climb(double fromVx, double fromVy, double window) {
+    /**
+     * Climbs to the nearest top of the metric, from coarse to fine: the paper's refining cycles.
+     *
+     * @return whether it got there; not where the density is still below a least one after three fits
+     */
+    private boolean climb(double fromVx, double fromVy, double window, double leastDensity) {
         vx = fromVx;
         vy = fromVy;
         double px = 2 / window;
@@ -241,23 +290,27 @@ final class StructureSearch {
             fit.fit(vx, vy, p.flatSigmas());
             vx += fit.stepX();
             vy += fit.stepY();
+            if (i == 2 && density() < leastDensity) {
+                return false;
+            }
             if (i >= 2 && fit.steps() < 0.3) {
-                return;
+                return true;
             }
             fit.frame(fit.metric(), fit.lossXx(), fit.lossXy(), fit.lossYy(), p.neighbourLoss(), p.minStepPx() * px,
                 p.maxStepPx() * px);
         }
+        return true;
     }
 
-    private void track(int size, TrackPlaneStack stack) {
-        long lastUs = plane.timeUs(events[size - 1]);
+    private void track(TrackPlaneStack stack) {
+        long lastUs = plane.timeUs(events[from + size - 1]);
         TrackPlane found = stack.create(lastUs, vx, vy);
-        for (int a = 0; a < size; a++) {
+        for (int a = from; a < from + size; a++) {
             int e = events[a];
             found.addPast(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e));
         }
         stack.begin(found, lastUs);
-        plane.takeOut(events, size);
+        plane.takeOut(events, from, size);
     }
 
     void reset() {

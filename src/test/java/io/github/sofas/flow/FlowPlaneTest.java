@@ -8,7 +8,10 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PlainPlane.Cell;
 import io.github.sofas.flow.PlainPlane.Event;
 import io.github.sofas.simulate.Scene;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,57 +29,81 @@ public class FlowPlaneTest {
         private final FlowPlane fast;
         private final List<Event> events = new ArrayList<>();
         private final List<Boolean> taken = new ArrayList<>();
-        private int settled;
+        // by ring: how many events it has taken in, and when
+        private final int[] end;
+        private final long[] settledUs;
 
         PlainFlowPlane(SofasParameters p, FlowPlane fast) {
             this.p = p;
             this.fast = fast;
+            end = new int[p.flowProjections()];
+            settledUs = new long[p.flowProjections()];
         }
 
         void add(Event e) {
+            if (events.isEmpty()) {
+                Arrays.fill(settledUs, e.timeUs());
+            }
             events.add(e);
             taken.add(false);
             fast.add(e.x(), e.y(), e.timeUs(), e.polarity());
         }
 
         void settle(long nowUs) {
-            settled = events.size();
+            for (int ring = 0; ring < end.length; ring++) {
+                // 1,024 events make a block; fewer are taken in after a sixteenth of the window
+                if (events.size() - end[ring] >= 1024 || nowUs - settledUs[ring] >= windowUs(ring) / 16.0) {
+                    end[ring] = events.size();
+                    settledUs[ring] = nowUs;
+                }
+            }
             fast.settle(nowUs);
         }
 
         private void takeOut(List<Integer> numbers) {
             numbers.forEach(i -> taken.set(i, true));
-            fast.takeOut(numbers.stream().mapToInt(Integer::intValue).toArray(), numbers.size());
+            int[] array = numbers.stream().mapToInt(Integer::intValue).toArray();
+            fast.takeOut(array, 0, array.length);
         }
 
-        /** Numbers of the events whose age is not above the time in which a ring travels its pixels. */
-        private List<Integer> held(int ring, long nowUs) {
-            double travelUs = p.flowTravelPx() / fast.speed(ring) * 1e6;
-            long windowUs = (long) Math.min(p.lifespanUs(), travelUs);
+        /** The time in which a ring travels its pixels. */
+        private long windowUs(int ring) {
+            return (long) Math.min(p.lifespanUs(), p.flowTravelPx() / fast.speed(ring) * 1e6);
+        }
+
+        /** Numbers of the events that were not older than the window when the ring settled last. */
+        private List<Integer> held(int ring) {
             List<Integer> held = new ArrayList<>();
-            for (int i = 0; i < settled; i++) {
-                if (!taken.get(i) && events.get(i).timeUs() >= nowUs - windowUs) {
+            for (int i = 0; i < end[ring]; i++) {
+                if (!taken.get(i) && events.get(i).timeUs() >= settledUs[ring] - windowUs(ring)) {
                     held.add(i);
                 }
             }
             return held;
         }
 
-        /** Cell of 2 x 2 px, of a position to the next lower 1/256 px. */
+        /** Cell of 2 x 2 px, of time in ticks of a power of two µs that travel 1/512 to 1/256 px. */
         private Cell cell(int k, Event e) {
-            long dt = e.timeUs() - events.get(0).timeUs();
-            return new Cell(halved(e.x(), fast.vx(k), dt), halved(e.y(), fast.vy(k), dt));
+            double pxPerUs = fast.speed(k / p.flowProjections()) / 1e6;
+            int bits = 0;
+            while ((2L << bits) * pxPerUs <= 1.0 / 256) {
+                bits++;
+            }
+            long ticks = e.timeUs() - events.get(0).timeUs() >> bits;
+            return new Cell(halved(e.x(), fast.vx(k) * (1L << bits), ticks),
+                halved(e.y(), fast.vy(k) * (1L << bits), ticks));
         }
 
-        private static long halved(int px, double pxPerS, long dt) {
-            long velocity = Math.round(pxPerS / 1e6 * 0x1p28);
-            return Math.floorDiv(256L * px - Math.floorDiv(Math.multiplyExact(velocity, dt), 1L << 20), 512L);
+        private static long halved(int px, double microPxPerTick, long ticks) {
+            BigDecimal travel = new BigDecimal(microPxPerTick / 1e6).multiply(BigDecimal.valueOf(ticks));
+            return BigDecimal.valueOf(px).subtract(travel).divide(BigDecimal.valueOf(2))
+                .setScale(0, RoundingMode.FLOOR).longValueExact();
         }
 
-        private void compare(long nowUs) {
+        private void compare() {
             int n = p.flowProjections();
             for (int ring = 0; ring < n; ring++) {
-                List<Integer> held = held(ring, nowUs);
+                List<Integer> held = held(ring);
                 assertEquals("events of ring " + ring, held.size(), fast.count(ring));
                 for (int k = ring * n; k < ring * n + n; k++) {
                     Map<Cell, Integer> f = new HashMap<>();
@@ -126,18 +153,18 @@ public class FlowPlaneTest {
         int settlings = 0;
         for (Event e : events) {
             plain.add(e);
-            if (fast.isBlockFull(e.timeUs())) {
+            if (fast.isToSettle(e.timeUs())) {
                 plain.settle(e.timeUs());
                 if (settlings++ % every == 0) {
-                    plain.compare(e.timeUs());
+                    plain.compare();
                 }
                 if (random.nextInt(4) == 0) {
                     // a structure is taken out, as if a third of the events of one ring were it
-                    List<Integer> structure = plain.held(random.nextInt(p.flowProjections()), e.timeUs());
+                    List<Integer> structure = plain.held(random.nextInt(p.flowProjections()));
                     structure.removeIf(i -> random.nextInt(3) > 0);
                     plain.takeOut(structure);
                     if (settlings % every == 0) {
-                        plain.compare(e.timeUs());
+                        plain.compare();
                     }
                 }
             }
@@ -148,16 +175,16 @@ public class FlowPlaneTest {
     @Test
     public void blockIsFullAt256EventsOrAfterTwoMilliseconds() {
         FlowPlane plane = new FlowPlane(32, 24, P);
-        assertFalse(plane.isBlockFull(1_000_000));
+        assertFalse(plane.isToSettle(1_000_000));
         for (int i = 0; i < 255; i++) {
             plane.add(1, 1, 0, 1);
         }
-        assertFalse(plane.isBlockFull(2_000));
-        assertTrue(plane.isBlockFull(2_001));
+        assertFalse(plane.isToSettle(2_000));
+        assertTrue(plane.isToSettle(2_001));
         plane.add(1, 1, 0, 1);
-        assertTrue(plane.isBlockFull(0));
+        assertTrue(plane.isToSettle(0));
         plane.settle(0);
-        assertFalse(plane.isBlockFull(1_000_000));
+        assertFalse(plane.isToSettle(1_000_000));
     }
 
     @Test
@@ -181,16 +208,36 @@ public class FlowPlaneTest {
         // 4 px: at 4 px/s 1 s, at 16 px/s 0.25 s, at 64 px/s 62,500 us; the lifespan of 0.5 s ends the first sooner
         SofasParameters p = P.withFlowProjections(3).withSlowestPxPerS(4).withFastestPxPerS(64).withFlowTravelPx(4)
             .withLifespanUs(500_000);
-        FlowPlane plane = new FlowPlane(32, 24, p);
-        plane.add(10, 10, 0, 1);
         long[] leaves = {500_000, 250_000, 62_500};
-        for (long now : new long[] {62_500, 62_501, 250_000, 250_001, 500_000, 500_001}) {
-            plane.settle(now);
-            for (int ring = 0; ring < 3; ring++) {
-                assertEquals("ring " + ring + " at " + now, now > leaves[ring] ? 0 : 1, plane.count(ring));
-                assertEquals(now > leaves[ring] ? 0 : 1, plane.metric(ring * 3));
+        for (int ring = 0; ring < 3; ring++) {
+            for (int late = 0; late < 2; late++) {
+                FlowPlane plane = new FlowPlane(32, 24, p);
+                plane.add(10, 10, 0, 1);
+                plane.settle(leaves[ring] + late);
+                assertEquals("ring " + ring + " late " + late, 1 - late, plane.count(ring));
+                assertEquals(1 - late, plane.metric(ring * 3));
             }
         }
+    }
+
+    @Test
+    public void ringTakesItsEventsInAfterASixteenthOfItsWindowOrWhenTheyAreABlock() {
+        // windows of 1 s, 0.25 s and 62.5 ms: a sixteenth is 62,500, 15,625 and 3,906.25 us
+        SofasParameters p = P.withFlowProjections(3).withSlowestPxPerS(4).withFastestPxPerS(64).withFlowTravelPx(4);
+        FlowPlane plane = new FlowPlane(32, 24, p);
+        plane.add(10, 10, 0, 1);
+        plane.settle(15_624);
+        assertEquals(0, plane.count(0));
+        assertEquals(0, plane.count(1));
+        assertEquals(1, plane.count(2));
+        plane.settle(15_625);
+        assertEquals(0, plane.count(0));
+        assertEquals(1, plane.count(1));
+        for (int i = 1; i < 1024; i++) {
+            plane.add(10, 10, 15_625, 1);
+        }
+        plane.settle(15_625);
+        assertEquals(1024, plane.count(0));
     }
 
     @Test
@@ -198,7 +245,7 @@ public class FlowPlaneTest {
         FlowPlane plane = new FlowPlane(32, 24, P);
         for (Event e : Streams.edge(3, 10, 20, -100, 5_000)) {
             plane.add(e.x(), e.y(), e.timeUs(), e.polarity());
-            if (plane.isBlockFull(e.timeUs())) {
+            if (plane.isToSettle(e.timeUs())) {
                 plane.settle(e.timeUs());
             }
         }
@@ -210,8 +257,8 @@ public class FlowPlaneTest {
         }
         // as a new one: seen from the first event's time on, however late
         plane.add(5, 5, 1L << 50, 1);
-        plane.settle(1L << 50);
+        plane.settle((1L << 50) + 100_000);
         assertEquals(1, plane.metric(0));
-        assertEquals(2 << plane.rowBits() | 2, plane.cell(0, 0));
+        assertEquals(2 << plane.columnBits() | 2, plane.cell(0, 0));
     }
 }
