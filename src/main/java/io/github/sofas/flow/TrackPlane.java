@@ -11,6 +11,9 @@ package io.github.sofas.flow;
 final class TrackPlane {
     /** Fewer events than this have no motion. */
     private static final int LEAST_EVENTS = 12;
+    /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
+    private static final int LEAST_FULL = 3;
+    private static final int FULL_EVERY = 4;
 
     private final SofasParameters p;
     private LiveEvents live = new LiveEvents();
@@ -221,7 +224,11 @@ final class TrackPlane {
             fit.frame(metric, lossXx, lossXy, lossYy, p.neighbourLoss(), p.minStepPx() * px, p.maxStepPx() * px);
             fit.widen(widen);
         }
-        fit.fit(0, 0, p.flatSigmas());
+        if (measurements < LEAST_FULL || measurements % FULL_EVERY == 0) {
+            fit.fit(0, 0, p.flatSigmas());
+        } else {
+            fit.fitCross(p.flatSigmas());
+        }
         // in a thinned sample events meet by so much less
         density = fit.metric() / fit.size() * live.size() / fit.size();
         metric = fit.metric();

@@ -147,4 +147,33 @@ public class MetricFitTest {
         assertEquals(12, vx, 0.1);
         assertEquals(-5, vy, 0.1);
     }
+
+    @Test
+    public void crossStepsToTheTopOfTheParabolasThroughItsFive() {
+        // 60 points that move at (0.2, -0.1) px/s and are each seen 20 times in 8 s
+        Random random = new Random(3);
+        List<Vote> votes = new ArrayList<>();
+        MetricFit fit = new MetricFit(32, 24, 1.3, 4096);
+        for (int point = 0; point < 60; point++) {
+            float x = 4 + 24 * random.nextFloat();
+            float y = 4 + 16 * random.nextFloat();
+            for (int i = 0; i < 20; i++) {
+                float tau = 8 * (random.nextFloat() - 0.5f);
+                votes.add(new Vote(x + 0.2f * tau, y - 0.1f * tau, tau, 1));
+                fit.add(x + 0.2f * tau, y - 0.1f * tau, tau, 0, 0, 1);
+            }
+        }
+        double h = 0.4;
+        fit.frame(h);
+        fit.fitCross(0);
+        double here = fast(votes, 1.3, 0, 0);
+        double left = fast(votes, 1.3, -h, 0);
+        double right = fast(votes, 1.3, h, 0);
+        double up = fast(votes, 1.3, 0, -h);
+        double down = fast(votes, 1.3, 0, h);
+        assertEquals(h * (right - left) / 2 / (2 * here - left - right), fit.stepX(), 1e-9);
+        assertEquals(h * (down - up) / 2 / (2 * here - up - down), fit.stepY(), 1e-9);
+        assertEquals((2 * here - left - right) / 2 / (h * h), fit.lossXx(), 1e-6);
+        assertEquals(right, fit.metric(), 0);
+    }
 }
