@@ -12,7 +12,9 @@ final class PaperFlowPlane {
      * Longest side of an accumulator. Parameters that let live events travel farther than that fold the plane: cells
      * that far apart then count as one, which costs a little noise, where memory would grow without bounds.
      */
-    private static final int LONGEST_SIDE = 4096;
+    static final int LONGEST_SIDE = 4096;
+    /** Most events that wait for a structure, so that no cell overflows; where there are more, the oldest go early. */
+    static final int MOST_EVENTS = Short.MAX_VALUE;
 
     private final SofasParameters p;
     private final int n;
@@ -101,6 +103,9 @@ final class PaperFlowPlane {
             referenceUs = timeUs;
         }
         flush(timeUs - p.lifespanUs());
+        if (head - tail == MOST_EVENTS) {
+            removeOldest();
+        }
         if (head == time.length) {
             makeRoom();
         }
@@ -133,9 +138,13 @@ final class PaperFlowPlane {
 
     private void flush(long oldestUs) {
         while (tail != head && time[tail] < oldestUs) {
-            vote(tail, -sign[tail]);
-            tail++;
+            removeOldest();
         }
+    }
+
+    private void removeOldest() {
+        vote(tail, -sign[tail]);
+        tail++;
     }
 
     private void makeRoom() {

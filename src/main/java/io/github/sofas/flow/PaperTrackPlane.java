@@ -10,6 +10,8 @@ import java.util.Arrays;
 final class PaperTrackPlane {
     private static final int SIDE = 3;
     private static final int CENTRE = SIDE * SIDE / 2;
+    /** Most live events, so that no cell overflows; where there are more, the oldest go early. */
+    static final int MOST_EVENTS = Short.MAX_VALUE;
 
     private final SofasParameters p;
     private final int maskX;
@@ -117,6 +119,9 @@ final class PaperTrackPlane {
      */
     boolean offer(int eventX, int eventY, long timeUs) {
         expire(timeUs);
+        if (head - tail == MOST_EVENTS) {
+            removeOldest();
+        }
         locate(eventX, eventY, timeUs);
         for (int k = 0; k < hits.length; k++) {
             if (accumulator[k][cell[k]] > 0) {
@@ -275,14 +280,18 @@ final class PaperTrackPlane {
     private void expire(long nowUs) {
         long oldestUs = nowUs - lifetimeUs;
         while (tail != head && time[tail] < oldestUs) {
-            locate(x[tail], y[tail], time[tail]);
-            for (int k = 0; k < cell.length; k++) {
-                if (--accumulator[k][cell[k]] == 0) {
-                    cells[k]--;
-                }
-            }
-            tail++;
+            removeOldest();
         }
+    }
+
+    private void removeOldest() {
+        locate(x[tail], y[tail], time[tail]);
+        for (int k = 0; k < cell.length; k++) {
+            if (--accumulator[k][cell[k]] == 0) {
+                cells[k]--;
+            }
+        }
+        tail++;
     }
 
     private void remember(int eventX, int eventY, long timeUs) {
@@ -353,7 +362,7 @@ final class PaperTrackPlane {
         time = newTime;
         x = newX;
         y = newY;
-        tail = 0;
+        tail = Math.max(0, mine + theirs - MOST_EVENTS);
         head = mine + theirs;
         events += other.events;
         sinceCheck += other.sinceCheck;

@@ -63,6 +63,30 @@ public class PaperTrackPlaneTest {
     }
 
     @Test
+    public void oldestEventsGoEarlyWhereMoreComeThanACellCanCount() {
+        PaperTrackPlane plane = stillRow(P, 8);
+        for (int i = 0; i < 40_000; i++) {
+            assertTrue(plane.offer(17, 5, i));
+        }
+        assertEquals(32_767, plane.live());
+        // the row's other dots went first
+        assertEquals(1, plane.cells(1, 1));
+    }
+
+    @Test
+    public void planesThatMergeKeepTheNewestEvents() {
+        PaperTrackPlane plane = stillRow(P, 8);
+        PaperTrackPlane other = stillRow(P, 8);
+        for (int i = 0; i < 20_000; i++) {
+            plane.offer(17, 5, i);
+            other.offer(10, 5, 20_000 + i);
+        }
+        plane.merge(other);
+        assertEquals(32_767, plane.live());
+        assertEquals(2, plane.cells(1, 1));
+    }
+
+    @Test
     public void eventOnTheContourBelongsAndOneBesideItDoesNot() {
         PaperTrackPlane plane = stillRow(P, 8);
         assertTrue(plane.offer(17, 5, 10));
