@@ -52,11 +52,10 @@ final class PaperFlowPlane {
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < n; i++) {
                 int k = j * n + i;
-                vx[k] = Projection.fixed(p.velocityAt(SofasParameters.angleAt(i, n, p.rangeDeg())));
-                vy[k] = Projection.fixed(p.velocityAt(SofasParameters.angleAt(j, n, p.rangeDeg())));
-                // a torus that no two live events of different cells share a cell of
-                int sizeX = side(width + 2 + Math.abs(Projection.travelled(vx[k], p.lifespanUs())));
-                int sizeY = side(height + 2 + Math.abs(Projection.travelled(vy[k], p.lifespanUs())));
+                vx[k] = velocity(i, p);
+                vy[k] = velocity(j, p);
+                int sizeX = side(width, vx[k], p);
+                int sizeY = side(height, vy[k], p);
                 maskX[k] = sizeX - 1;
                 maskY[k] = sizeY - 1;
                 shift[k] = Integer.numberOfTrailingZeros(sizeX);
@@ -65,6 +64,16 @@ final class PaperFlowPlane {
         }
         bySpeed = slowestFirst(vx, vy);
         refinement = new PaperRefinement(p);
+    }
+
+    /** Velocity of the i-th projection along an axis. */
+    static int velocity(int i, SofasParameters p) {
+        return Projection.fixed(p.velocityAt(SofasParameters.angleAt(i, p.flowProjections(), p.rangeDeg())));
+    }
+
+    /** Side of a torus that no two live events of different cells share a cell of. */
+    static int side(int sensorSide, int velocity, SofasParameters p) {
+        return side(sensorSide + 2 + Math.abs(Projection.travelled(velocity, p.lifespanUs())));
     }
 
     /** Side of a torus that is to hold at least so many cells: a power of two, and at most {@value #LONGEST_SIDE}. */

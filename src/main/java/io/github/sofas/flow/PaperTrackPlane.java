@@ -62,10 +62,8 @@ final class PaperTrackPlane {
 
     PaperTrackPlane(int width, int height, SofasParameters p) {
         this.p = p;
-        // a torus that no two live events of different cells share a cell of
-        double room = Math.ceil(farthestTravel(p));
-        int sizeX = PaperFlowPlane.side(width + room);
-        int sizeY = PaperFlowPlane.side(height + room);
+        int sizeX = side(width, p);
+        int sizeY = side(height, p);
         maskX = sizeX - 1;
         maskY = sizeY - 1;
         shift = Integer.numberOfTrailingZeros(sizeX);
@@ -73,6 +71,11 @@ final class PaperTrackPlane {
         accumulator = new short[SIDE * SIDE][sizeX * sizeY];
         raised = new short[sizeX * sizeY];
         raisedFold = new int[sizeX * sizeY];
+    }
+
+    /** Side of a torus that no two live events of different cells share a cell of. */
+    static int side(int sensorSide, SofasParameters p) {
+        return PaperFlowPlane.side(sensorSide + Math.ceil(farthestTravel(p)));
     }
 
     /**

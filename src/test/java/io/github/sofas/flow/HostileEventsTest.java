@@ -13,7 +13,7 @@ import org.junit.Test;
 /** Whatever events come, the engine stays sound: what it says is finite, on the sensor, and the same each time. */
 public class HostileEventsTest {
     private static final SensorSize SENSOR = new SensorSize(64, 48);
-    private static final int EVENTS = 40_000;
+    private static final int EVENTS = 24_000;
     private static final List<SofasParameters> PRESETS = List.of(SofasParameters.defaults(), SofasParameters.paper());
 
     /** Runs a stream in batches, checks all that is said of it, and returns a checksum of it. */
