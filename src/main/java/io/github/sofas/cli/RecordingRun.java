@@ -119,18 +119,29 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             RunSummary summary = new RunSummary(Version.text(), read, method.method(), method.preset(),
                 method.parameters(), eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
                 peakHeapBytes());
-            try (OutputStream file = results.create(segmentsFile(out, name))) {
-                SegmentsCsv.write(file, segments);
-            }
-            try (OutputStream file = results.create(summaryFile(out, name))) {
-                summary.write(file);
-            }
+            writeSegmentsAndSummary(results, out, name, summary);
             results.commit();
             return new Outcome(summary, damage);
         }
     }
 
-    private static int countWithFlow(EventBatch batch, FlowOutput flow) {
+    /**
+     * Writes what is known only at the end.
+     *
+     * @throws IOException where it cannot be written
+     */
+    static void writeSegmentsAndSummary(ResultFiles results, Path out, String name, RunSummary summary)
+            throws IOException {
+        try (OutputStream file = results.create(segmentsFile(out, name))) {
+            SegmentsCsv.write(file, summary.segments());
+        }
+        try (OutputStream file = results.create(summaryFile(out, name))) {
+            summary.write(file);
+        }
+    }
+
+    /** Events of a labelled batch that got flow. */
+    static int countWithFlow(EventBatch batch, FlowOutput flow) {
         int count = 0;
         for (int i = 0; i < batch.size(); i++) {
             count += flow.segment[i] != 0 ? 1 : 0;
@@ -139,7 +150,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     }
 
     /** The sum over the parts of the heap, so at least the true peak: the parts need not have peaked together. */
-    private static long peakHeapBytes() {
+    static long peakHeapBytes() {
         long peak = 0;
         for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
             if (pool.getType() == MemoryType.HEAP) {

@@ -7,7 +7,6 @@ import java.util.function.Consumer;
 /** The method of the {@code default} preset: the paper's nouns, made accurate and fast. */
 final class RefinedMethod implements Method {
     private final LoneEvents lone;
-    private final BusyPixels busy;
     private final FlowPlane flowPlane;
     private final StructureSearch search;
     private final TrackPlaneStack stack;
@@ -17,7 +16,6 @@ final class RefinedMethod implements Method {
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
         MetricFit fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), LiveEvents.CAPACITY);
         lone = new LoneEvents(sensor.width(), sensor.height(), p.slowestPxPerS());
-        busy = new BusyPixels(sensor.width(), sensor.height(), p);
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
         search = new StructureSearch(flowPlane, p, fit);
         stack = new TrackPlaneStack(sensor, p, fit, ended);
@@ -33,7 +31,7 @@ final class RefinedMethod implements Method {
             vxPxPerS = plane.motion().vxAt(y, timeUs);
             vyPxPerS = plane.motion().vyAt(x, timeUs);
             stack.take(plane, x, y, timeUs, polarity);
-        } else if (!lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
+        } else if (!lone.isAlone(x, y, timeUs)) {
             flowPlane.add(x, y, timeUs, polarity);
         }
         if (flowPlane.isToSettle(timeUs)) {
@@ -63,7 +61,6 @@ final class RefinedMethod implements Method {
     @Override
     public void reset() {
         lone.reset();
-        busy.reset();
         flowPlane.reset();
         search.reset();
         stack.reset();

@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.Test;
 
 public class MainTest {
-    private static final List<String> COMMANDS = List.of("run", "info", "evaluate", "simulate", "bench");
+    private static final List<String> COMMANDS = List.of("run", "live", "info", "evaluate", "simulate", "bench");
 
     @Test
     public void needsACommand() {

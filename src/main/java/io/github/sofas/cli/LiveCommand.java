@@ -1,0 +1,269 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.RunSummary;
+import io.github.sofas.live.Biases;
+import io.github.sofas.live.CameraSource;
+import io.github.sofas.live.Cameras;
+import io.github.sofas.live.JaerUdpSource;
+import io.github.sofas.live.LiveSource;
+import io.github.sofas.live.Usb4JavaTransport;
+import io.github.sofas.live.UsbException;
+import io.github.sofas.live.UsbTransport;
+import io.github.sofas.recording.Chip;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Gives flow and segment to the events of a camera, or of jAER's network stream, as they happen. */
+@Command(name = "live", sortOptions = false,
+    customSynopsis = {"sofas live --out DIR [OPTION]...",
+        "       sofas live --out DIR --udp PORT --chip CHIP [OPTION]...",
+        "       sofas live --list"},
+    description = {"Give flow and segment to the events of a camera as they happen.",
+        "Takes a DAVIS240C, DAVIS346 or DVS128 on the USB, or what jAER sends by AEUnicast. Runs until Ctrl-C or for "
+        + "--duration, and writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json as run does."},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {"0:stopped by Ctrl-C or --duration", "1:no camera, or it failed; results hold all events before",
+        "2:wrong usage; nothing was run"})
+final class LiveCommand implements Callable<Integer> {
+    private static final int MAX_PORT = 65_535;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--list", description = "List the cameras.")
+    private boolean list;
+
+    @Option(names = {"-o", "--out"}, paramLabel = "DIR",
+        description = "Where the results go; made where it does not exist.")
+    private Path out;
+
+    @Option(names = "--name", paramLabel = "NAME", defaultValue = "live",
+        description = "What the results are called; default: ${DEFAULT-VALUE}.")
+    private String name;
+
+    @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
+    private boolean force;
+
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "How long; without it until Ctrl-C.")
+    private Double durationS;
+
+    @Option(names = "--record", paramLabel = "FILE",
+        description = "Record the events that are labelled, as AEDAT 2.0, which jAER and run read.")
+    private Path record;
+
+    @Option(names = "--serial", paramLabel = "NUMBER",
+        description = "Serial number of the camera; without it the first.")
+    private String serial;
+
+    @Option(names = "--biases", paramLabel = "FILE",
+        description = "Properties file with biases over the defaults, such as DiffBn=0x427F or, for coarse and fine "
+            + "current of a DAVIS, DiffBn=4 39.")
+    private Path biases;
+
+    @Option(names = "--udp", paramLabel = "[HOST:]PORT",
+        description = "Take jAER's AEUnicast stream (its port is 8991) instead of a camera. Listens on this machine's "
+            + "own address 127.0.0.1 unless a host is given; 0.0.0.0 is all.")
+    private String udp;
+
+    @Option(names = "--chip", paramLabel = "CHIP", description = "Sensor whose events come by --udp.")
+    private String chip;
+
+    @Option(names = {"-q", "--quiet"}, description = "Show no status and no summary, only what is wrong.")
+    private boolean quiet;
+
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Mixin
+    private ParameterOptions parameterOptions;
+
+    @Override
+    public Integer call() throws InterruptedException {
+        PrintWriter err = spec.commandLine().getErr();
+        try {
+            if (list) {
+                return list();
+            }
+            MethodChoice method = check();
+            return udp != null ? runNetwork(method) : runCamera(method);
+        } catch (EventSourceException e) {
+            err.println(e.getMessage());
+        } catch (UsbException e) {
+            err.println("USB cannot be used: " + e.getMessage());
+        } catch (IOException e) {
+            err.println("[" + out + "] results cannot be written: " + e.getMessage());
+        }
+        return Main.FAILED;
+    }
+
+    private Integer list() throws UsbException, EventSourceException {
+        try (UsbTransport usb = new Usb4JavaTransport()) {
+            List<Cameras.Camera> cameras = new Cameras(usb).list();
+            PrintWriter to = spec.commandLine().getOut();
+            for (Cameras.Camera camera : cameras) {
+                to.println(String.format(Locale.ROOT, "%-10s serial %-12s bus %d address %d  %s",
+                    camera.model() == null ? "unknown" : camera.model(),
+                    camera.serial().isEmpty() ? "unknown" : camera.serial(), camera.device().bus(),
+                    camera.device().address(), camera.fault() == null ? "ready" : camera.fault()));
+            }
+            if (cameras.isEmpty()) {
+                to.println("no camera is plugged in");
+            }
+            return Main.OK;
+        }
+    }
+
+    /** Everything that can be wrong before the source is opened. */
+    private MethodChoice check() {
+        if (out == null) {
+            throw usage("Missing required option: '--out=DIR'");
+        }
+        if (durationS != null && !(durationS > 0)) {
+            throw usage("--duration must be positive but was " + durationS);
+        }
+        if (udp == null && chip != null) {
+            throw usage("--chip goes with --udp; a camera tells its own");
+        }
+        if (udp != null && (serial != null || biases != null)) {
+            throw usage((serial != null ? "--serial" : "--biases") + " is of a camera and does not go with --udp");
+        }
+        MethodChoice method = methodOptions.choice(parameterOptions);
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw usage("[" + out + "] cannot be made a directory: " + e);
+        }
+        List<Path> existing = new ArrayList<>(RecordingRun.existing(out, name));
+        if (record != null && Files.exists(record)) {
+            existing.add(record);
+        }
+        if (!force && !existing.isEmpty()) {
+            throw usage("[" + existing.get(0) + "] exists already; --force replaces it");
+        }
+        return method;
+    }
+
+    private ParameterException usage(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+
+    private int runNetwork(MethodChoice method) throws EventSourceException, IOException {
+        if (chip == null) {
+            throw usage("--udp needs --chip, one of " + Chip.knownNames());
+        }
+        Chip sender = Chip.named(chip).orElseThrow(() ->
+            usage("--chip must be one of " + Chip.knownNames() + " but was \"" + chip + "\""));
+        try (LiveSource source = new JaerUdpSource(address(), sender)) {
+            return run(source, method, () -> { });
+        }
+    }
+
+    private InetSocketAddress address() {
+        int colon = udp.lastIndexOf(':');
+        int port = -1;
+        try {
+            port = Integer.parseInt(udp.substring(colon + 1));
+        } catch (NumberFormatException e) {
+            // Stays outside the range.
+            port = -1;
+        }
+        if (port < 1 || port > MAX_PORT) {
+            throw usage("--udp must be a port from 1 to " + MAX_PORT + ", or host:port, but was \"" + udp + "\"");
+        }
+        InetSocketAddress address = colon < 0 ? new InetSocketAddress(InetAddress.getLoopbackAddress(), port)
+            : new InetSocketAddress(udp.substring(0, colon), port);
+        if (address.isUnresolved()) {
+            throw usage("--udp names an unknown host: \"" + udp.substring(0, colon) + "\"");
+        }
+        return address;
+    }
+
+    private int runCamera(MethodChoice method) throws EventSourceException, UsbException, IOException {
+        ConfigFile changes = biases == null ? null : readBiases();
+        try (UsbTransport usb = new Usb4JavaTransport(); CameraSource source = new Cameras(usb).open(serial)) {
+            Biases chosen = change(Biases.defaults(source.model()), changes);
+            return run(source, method, () -> source.start(chosen));
+        }
+    }
+
+    private ConfigFile readBiases() {
+        try {
+            return ConfigFile.read(biases);
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+    }
+
+    private Biases change(Biases defaults, ConfigFile changes) {
+        Biases changed = defaults;
+        if (changes != null) {
+            for (String key : changes.keys()) {
+                try {
+                    changed = changed.with(key, changes.value(key));
+                } catch (IllegalArgumentException e) {
+                    throw usage(changes.place(key) + e.getMessage());
+                }
+            }
+        }
+        return changed;
+    }
+
+    private int run(LiveSource source, MethodChoice method, LiveRun.Start start)
+            throws EventSourceException, IOException {
+        PrintWriter err = spec.commandLine().getErr();
+        LiveStatus status = new LiveStatus(source, err);
+        LiveRun run = new LiveRun(source, method, out, name, record, status);
+        ScheduledExecutorService clock = Executors.newScheduledThreadPool(1);
+        RecordingRun.Outcome outcome;
+        StopSignals signals = StopSignals.handle(source::stop);
+        try {
+            outcome = run.run(() -> {
+                start.start();
+                if (!quiet) {
+                    err.println("[" + source.name() + "] " + source.formatName() + ", " + source.sensor()
+                        + " px, labelling" + (durationS == null ? " until Ctrl-C" : ""));
+                    clock.scheduleAtFixedRate(status::show, 1, 1, TimeUnit.SECONDS);
+                }
+                if (durationS != null) {
+                    clock.schedule(source::stop, Math.round(durationS * 1e9), TimeUnit.NANOSECONDS);
+                }
+            });
+        } finally {
+            signals.close();
+            clock.shutdownNow();
+        }
+        outcome.summary().recording().faults().forEach(err::println);
+        if (source.eventsDropped() > 0) {
+            err.println("[" + source.name() + "] " + source.eventsDropped()
+                + " events were dropped because labelling fell behind");
+        }
+        if (!quiet) {
+            summarise(outcome.summary(), status, err);
+        }
+        return outcome.damage() == null ? Main.OK : Main.FAILED;
+    }
+
+    private void summarise(RunSummary summary, LiveStatus status, PrintWriter err) {
+        err.println(String.format(Locale.ROOT, "%s: %d events in %.2f s, %.1f %% with flow, %d %s; %s", name,
+            summary.recording().events(), summary.seconds().wall(), 100 * summary.shareWithFlow(),
+            summary.segments().size(), summary.segments().size() == 1 ? "segment" : "segments", status.latency()));
+    }
+}

@@ -1,0 +1,142 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.FlowCsvWriter;
+import io.github.sofas.export.RecordingSummary;
+import io.github.sofas.export.ResultFiles;
+import io.github.sofas.export.RunSummary;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.live.LiveSource;
+import io.github.sofas.recording.Aedat2Writer;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A live stream from its first event to its result files: take a packet, label it, write its rows, again, until the
+ * source is stopped or fails.
+ */
+final class LiveRun {
+    /** As many events as a transfer or datagram can hold. */
+    private static final int BATCH = 8192;
+
+    private final LiveSource source;
+    private final MethodChoice method;
+    private final Path out;
+    private final String name;
+    private final Path record;
+    private final LiveStatus status;
+
+    private final List<Segment> segments = new ArrayList<>();
+    private final EventLabeller labeller;
+    private long events;
+    private long eventsWithFlow;
+    private long firstTimeUs;
+    private long lastTimeUs;
+    private long engineNs;
+    private long outputNs;
+
+    /** What is done to let the source send. */
+    @FunctionalInterface
+    interface Start {
+        void start() throws EventSourceException;
+    }
+
+    /**
+     * Makes a run.
+     *
+     * @param source not started
+     * @param out folder of the results
+     * @param name of the results, without their endings
+     * @param record where the events are recorded; null for nowhere
+     * @param status is told how it goes
+     */
+    LiveRun(LiveSource source, MethodChoice method, Path out, String name, Path record, LiveStatus status) {
+        this.source = source;
+        this.method = method;
+        this.out = out;
+        this.name = name;
+        this.record = record;
+        this.status = status;
+        labeller = method.make(source.sensor(), segments::add);
+    }
+
+    /**
+     * Runs until the source ends. One that failed has results too, of every event before.
+     *
+     * @throws EventSourceException where the source cannot be started; there are no results then
+     * @throws IOException where the results cannot be written; there are none then
+     */
+    RecordingRun.Outcome run(Start start) throws EventSourceException, IOException {
+        try (ResultFiles results = new ResultFiles()) {
+            EventSourceException failure;
+            long startNs;
+            try (FlowCsvWriter csv = new FlowCsvWriter(results.create(RecordingRun.flowFile(out, name)));
+                    Aedat2Writer recorder = record == null ? null
+                        : new Aedat2Writer(results.create(record), source.chip())) {
+                startNs = System.nanoTime();
+                start.start();
+                failure = label(csv, recorder);
+            }
+            source.stop();
+            segments.addAll(labeller.segments());
+            RunSummary summary = summary(failure, (System.nanoTime() - startNs) / 1e9);
+            RecordingRun.writeSegmentsAndSummary(results, out, name, summary);
+            results.commit();
+            return new RecordingRun.Outcome(summary, failure);
+        }
+    }
+
+    /** Labels to the end, and returns what ended it; null where it was asked to end. */
+    private EventSourceException label(FlowCsvWriter csv, Aedat2Writer recorder) throws IOException {
+        EventBatch batch = new EventBatch(BATCH);
+        FlowOutput flow = new FlowOutput(BATCH);
+        while (true) {
+            try {
+                if (!source.next(batch)) {
+                    return null;
+                }
+            } catch (EventSourceException e) {
+                return e;
+            }
+            long beforeEngine = System.nanoTime();
+            labeller.process(batch, flow);
+            long beforeOutput = System.nanoTime();
+            engineNs += beforeOutput - beforeEngine;
+            if (events == 0) {
+                firstTimeUs = batch.timeUs[0];
+            }
+            lastTimeUs = batch.timeUs[batch.size() - 1];
+            events += batch.size();
+            int withFlow = RecordingRun.countWithFlow(batch, flow);
+            eventsWithFlow += withFlow;
+            status.labelled(batch.size(), withFlow, beforeOutput - source.receivedNs(), labeller);
+            csv.write(batch, flow);
+            if (recorder != null) {
+                recorder.write(batch);
+            }
+            outputNs += System.nanoTime() - beforeOutput;
+        }
+    }
+
+    private RunSummary summary(EventSourceException failure, double wallS) {
+        Map<String, Long> counts = new LinkedHashMap<>();
+        counts.put("dvs_events", events);
+        counts.putAll(source.counts());
+        List<String> faults = new ArrayList<>(source.faults());
+        if (failure != null) {
+            faults.add(failure.getMessage());
+        }
+        RecordingSummary read = new RecordingSummary(source.name(), source.formatName(), source.chip().name(),
+            source.sensor(), events, firstTimeUs, lastTimeUs, counts, failure == null, faults);
+        RunSummary.Seconds seconds = new RunSummary.Seconds(wallS, source.decodeS(), engineNs / 1e9, outputNs / 1e9);
+        return new RunSummary(Version.text(), read, method.method(), method.preset(), method.parameters(),
+            eventsWithFlow, segments, source.dropped(), seconds, RecordingRun.peakHeapBytes());
+    }
+}
