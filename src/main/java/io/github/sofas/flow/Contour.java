@@ -15,7 +15,7 @@ final class Contour {
     private static final int ONE_OFF = 1 << 16;
     private static final int LEAST_SUPPORT = 4;
 
-    private final double share;
+    private double share;
     private final int width;
     private final int height;
     /** Live events a cell: ON in the low half, OFF in the high half. */
@@ -39,6 +39,11 @@ final class Contour {
         width = sensorWidth + 2 * MARGIN;
         height = sensorHeight + 2 * MARGIN;
         grid = new int[width * height];
+    }
+
+    /** Takes another share of the mean support, from the next {@link #project} on. */
+    void setShare(double contourShare) {
+        share = contourShare;
     }
 
     /** The motion that events are projected along until the next {@link #project}. */

@@ -376,6 +376,14 @@ final class FlowPlane {
         return sign[event & mask];
     }
 
+    MetricArray metricArray() {
+        float[] perEvent = new float[n * n];
+        for (int k = 0; k < perEvent.length; k++) {
+            perEvent[k] = count[k / n] == 0 ? 0 : (float) metric[k] / count[k / n];
+        }
+        return new MetricArray(SofasParameters.Preset.DEFAULT, n, perEvent);
+    }
+
     void reset() {
         for (short[] cells : f) {
             Arrays.fill(cells, (short) 0);

@@ -17,8 +17,14 @@ interface Method {
     /** Velocity of the event labelled last, in px/s, positive down. */
     float vyPxPerS();
 
+    /** Labels from now on with other parameters of the same preset. */
+    void setParameters(SofasParameters parameters);
+
     /** The living segments. */
     List<Segment> segments();
+
+    /** The metrics of the flow plane. */
+    MetricArray metricArray();
 
     /** Forgets all. */
     void reset();

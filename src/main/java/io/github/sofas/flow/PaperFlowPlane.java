@@ -14,7 +14,7 @@ final class PaperFlowPlane {
      */
     private static final int LONGEST_SIDE = 4096;
 
-    private final SofasParameters p;
+    private SofasParameters p;
     private final int n;
     private final int[] vx;
     private final int[] vy;
@@ -25,7 +25,7 @@ final class PaperFlowPlane {
     private final long[] metric;
     /** Projections from the slowest to the fastest: of equal metrics the first in this order is the greatest. */
     private final int[] bySpeed;
-    private final PaperRefinement refinement;
+    private PaperRefinement refinement;
 
     private long[] time = new long[1024];
     private short[] x = new short[1024];
@@ -126,6 +126,12 @@ final class PaperFlowPlane {
         return refinement.size() >= p.minEvents();
     }
 
+    /** Looks on with other parameters that leave the projections and the lifespan as they are. */
+    void setParameters(SofasParameters next) {
+        p = next;
+        refinement = new PaperRefinement(p);
+    }
+
     /** The structure found last, with its events. */
     PaperRefinement structure() {
         return refinement;
@@ -221,6 +227,14 @@ final class PaperFlowPlane {
     /** Metric of a projection, for tests and pictures. */
     long metric(int i, int j) {
         return metric[j * n + i];
+    }
+
+    MetricArray metricArray() {
+        float[] perEvent = new float[n * n];
+        for (int k = 0; k < perEvent.length && size() > 0; k++) {
+            perEvent[k] = (float) metric[k] / size();
+        }
+        return new MetricArray(SofasParameters.Preset.PAPER, n, perEvent);
     }
 
     void reset() {

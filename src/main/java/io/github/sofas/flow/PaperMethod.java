@@ -10,9 +10,9 @@ final class PaperMethod implements Method {
     private static final long CHECK_US = 5_000;
 
     private final SensorSize sensor;
-    private final SofasParameters p;
     private final Consumer<Segment> ended;
-    private final PaperFlowPlane flowPlane;
+    private SofasParameters p;
+    private PaperFlowPlane flowPlane;
     private final List<PaperTrackPlane> stack = new ArrayList<>();
     private final List<PaperTrackPlane> unused = new ArrayList<>();
     private int nextId = 1;
@@ -93,6 +93,39 @@ final class PaperMethod implements Method {
     }
 
     @Override
+    public void setParameters(SofasParameters next) {
+        boolean sameScale = next.velocityScalePxPerS() == p.velocityScalePxPerS();
+        if (!sameScale || side(sensor.width(), next) != side(sensor.width(), p)
+                || side(sensor.height(), next) != side(sensor.height(), p)) {
+            endAll();
+        }
+        if (sameScale && next.flowProjections() == p.flowProjections() && next.rangeDeg() == p.rangeDeg()
+                && next.lifespanUs() == p.lifespanUs()) {
+            flowPlane.setParameters(next);
+        } else {
+            flowPlane = new PaperFlowPlane(sensor.width(), sensor.height(), next);
+        }
+        p = next;
+        while (stack.size() > p.maxTrackPlanes()) {
+            end(stack.size() - 1, Segment.Fate.REMOVED, 0);
+        }
+        for (PaperTrackPlane plane : stack) {
+            plane.setParameters(p);
+        }
+        unused.clear();
+    }
+
+    private static int side(int sensorSide, SofasParameters p) {
+        return PaperTrackPlane.side(sensorSide, p);
+    }
+
+    private void endAll() {
+        while (!stack.isEmpty()) {
+            end(stack.size() - 1, Segment.Fate.REMOVED, 0);
+        }
+    }
+
+    @Override
     public List<Segment> segments() {
         List<Segment> list = new ArrayList<>();
         for (PaperTrackPlane plane : stack) {
@@ -102,10 +135,13 @@ final class PaperMethod implements Method {
     }
 
     @Override
+    public MetricArray metricArray() {
+        return flowPlane.metricArray();
+    }
+
+    @Override
     public void reset() {
-        while (!stack.isEmpty()) {
-            end(stack.size() - 1, Segment.Fate.REMOVED, 0);
-        }
+        endAll();
         flowPlane.reset();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;

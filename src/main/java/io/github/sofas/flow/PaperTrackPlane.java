@@ -11,7 +11,7 @@ final class PaperTrackPlane {
     private static final int SIDE = 3;
     private static final int CENTRE = SIDE * SIDE / 2;
 
-    private final SofasParameters p;
+    private SofasParameters p;
     private final int maskX;
     private final int maskY;
     private final int shift;
@@ -89,6 +89,11 @@ final class PaperTrackPlane {
     private static double travel(SofasParameters p, double angleDeg, double longestS) {
         double lifetimeS = Math.min(longestS, p.lifetimePx() / p.velocityAt(angleDeg));
         return p.velocityAt(PaperRefinement.limited(angleDeg + p.maxPerturbationDeg())) * lifetimeS;
+    }
+
+    /** Tracks on with other parameters that leave the velocity scale and the accumulators' size as they are. */
+    void setParameters(SofasParameters next) {
+        p = next;
     }
 
     /** Begins with the events and the velocity of a new structure. */

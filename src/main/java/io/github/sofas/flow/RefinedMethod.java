@@ -6,15 +6,20 @@ import java.util.function.Consumer;
 
 /** The method of the {@code default} preset: the paper's nouns, made accurate and fast. */
 final class RefinedMethod implements Method {
-    private final LoneEvents lone;
-    private final FlowPlane flowPlane;
-    private final StructureSearch search;
+    private final SensorSize sensor;
     private final TrackPlaneStack stack;
+    private SofasParameters p;
+    private MetricFit fit;
+    private LoneEvents lone;
+    private FlowPlane flowPlane;
+    private StructureSearch search;
     private float vxPxPerS;
     private float vyPxPerS;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
-        MetricFit fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), LiveEvents.CAPACITY);
+        this.sensor = sensor;
+        this.p = p;
+        fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), LiveEvents.CAPACITY);
         lone = new LoneEvents(sensor.width(), sensor.height(), p.slowestPxPerS());
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
         search = new StructureSearch(flowPlane, p, fit);
@@ -54,8 +59,31 @@ final class RefinedMethod implements Method {
     }
 
     @Override
+    public void setParameters(SofasParameters next) {
+        boolean looksElsewhere = next.flowProjections() != p.flowProjections()
+            || next.slowestPxPerS() != p.slowestPxPerS() || next.fastestPxPerS() != p.fastestPxPerS()
+            || next.flowTravelPx() != p.flowTravelPx() || next.lifespanUs() != p.lifespanUs();
+        if (next.voteCellPx() != p.voteCellPx()) {
+            fit = new MetricFit(sensor.width(), sensor.height(), next.voteCellPx(), LiveEvents.CAPACITY);
+        }
+        if (looksElsewhere) {
+            lone = new LoneEvents(sensor.width(), sensor.height(), next.slowestPxPerS());
+            flowPlane = new FlowPlane(sensor.width(), sensor.height(), next);
+            search = new StructureSearch(flowPlane, next, fit);
+        }
+        search.setParameters(next, fit);
+        stack.setParameters(next, fit);
+        p = next;
+    }
+
+    @Override
     public List<Segment> segments() {
         return stack.segments();
+    }
+
+    @Override
+    public MetricArray metricArray() {
+        return flowPlane.metricArray();
     }
 
     @Override

@@ -18,12 +18,16 @@ import java.util.function.Consumer;
  * sofas.process(batch, flow);        // flow.vxPxPerS[i], flow.vyPxPerS[i], flow.segment[i]
  * }</pre>
  *
- * <p>Results do not depend on how the events are cut into batches. One thread at a time.
+ * <p>Results do not depend on how the events are cut into batches. One thread at a time, but for
+ * {@link #setParameters}.
  */
 public final class Sofas implements EventLabeller {
     private final SensorSize sensor;
-    private final SofasParameters parameters;
-    private final Method method;
+    private final Consumer<Segment> ended;
+    /** What the next batch is to be labelled with; any thread may write it. */
+    private volatile SofasParameters parameters;
+    private SofasParameters inUse;
+    private Method method;
     private long newestUs = Long.MIN_VALUE;
     private long outside;
     private long backwards;
@@ -42,9 +46,14 @@ public final class Sofas implements EventLabeller {
     public Sofas(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended) {
         this.sensor = sensor;
         this.parameters = parameters;
-        Objects.requireNonNull(ended, "ended");
-        method = parameters.preset() == SofasParameters.Preset.PAPER
-            ? new PaperMethod(sensor, parameters, ended) : new RefinedMethod(sensor, parameters, ended);
+        this.ended = Objects.requireNonNull(ended, "ended");
+        inUse = parameters;
+        method = make(parameters);
+    }
+
+    private Method make(SofasParameters p) {
+        return p.preset() == SofasParameters.Preset.PAPER ? new PaperMethod(sensor, p, ended)
+            : new RefinedMethod(sensor, p, ended);
     }
 
     /** The sensor that the engine was made for. */
@@ -52,9 +61,31 @@ public final class Sofas implements EventLabeller {
         return sensor;
     }
 
-    /** The parameters that the engine was made with. */
+    /** The parameters that the next batch is labelled with. */
     public SofasParameters parameters() {
         return parameters;
+    }
+
+    /**
+     * Labels from the next batch on with other parameters; any thread may ask for it at any time.
+     *
+     * <p>Segments are tracked on under their ids wherever the change allows it. Where it changes what the flow plane
+     * looks for, the events that wait there are forgotten; where fewer track planes are allowed, the excess ends; of
+     * the paper preset, all segments end where the velocity scale changes or the size of its accumulators. Another
+     * preset begins anew, as {@link #reset} does.
+     */
+    public void setParameters(SofasParameters parameters) {
+        this.parameters = Objects.requireNonNull(parameters, "parameters");
+    }
+
+    private void take(SofasParameters wanted) {
+        if (wanted.preset() == inUse.preset()) {
+            method.setParameters(wanted);
+        } else {
+            reset();
+            method = make(wanted);
+        }
+        inUse = wanted;
     }
 
     /**
@@ -71,6 +102,10 @@ public final class Sofas implements EventLabeller {
         int n = batch.size();
         if (n > output.capacity()) {
             throw new IllegalArgumentException("output must hold " + n + " events but holds " + output.capacity());
+        }
+        SofasParameters wanted = parameters;
+        if (wanted != inUse) {
+            take(wanted);
         }
         for (int i = 0; i < n; i++) {
             int x = batch.x[i];
@@ -97,6 +132,11 @@ public final class Sofas implements EventLabeller {
     @Override
     public List<Segment> segments() {
         return method.segments();
+    }
+
+    /** The metrics of the flow plane as they are now, to be shown; from the thread that labels. */
+    public MetricArray metricArray() {
+        return method.metricArray();
     }
 
     /** How many events lay outside the sensor since the start or the last reset. */

@@ -25,10 +25,10 @@ final class StructureSearch {
     private static final double NEWS = 0.25;
 
     private final FlowPlane plane;
-    private final SofasParameters p;
-    private final MetricFit fit;
     private final int n;
     private final long[] refusedUntil;
+    private SofasParameters p;
+    private MetricFit fit;
     private long nextLook;
 
     private final int[] label;
@@ -51,6 +51,12 @@ final class StructureSearch {
         refusedUntil = new long[n * n];
         label = new int[plane.cells()];
         fill = new int[plane.cells()];
+    }
+
+    /** Looks on with other parameters that leave the flow plane as it is. */
+    void setParameters(SofasParameters next, MetricFit nextFit) {
+        p = next;
+        fit = nextFit;
     }
 
     /** Looks at the best projection, if there are new events enough, and hands what it finds to the stack. */

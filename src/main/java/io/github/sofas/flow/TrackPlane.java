@@ -15,7 +15,7 @@ final class TrackPlane {
     private static final int LEAST_FULL = 3;
     private static final int FULL_EVERY = 4;
 
-    private final SofasParameters p;
+    private SofasParameters p;
     private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final Motion motion = new Motion();
@@ -418,6 +418,13 @@ final class TrackPlane {
         usualSize = live.size();
         recentre(fit, nowUs);
         return used;
+    }
+
+    /** Tracks on with other parameters. */
+    void setParameters(SofasParameters next) {
+        p = next;
+        contour.setShare(p.contourShare());
+        lifetimePx = Math.max(p.lifetimePx(), Math.min(p.maxLifetimePx(), lifetimePx));
     }
 
     /** Lets all events go, so that the plane can serve another structure. */

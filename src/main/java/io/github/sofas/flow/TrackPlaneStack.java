@@ -2,6 +2,7 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.SensorSize;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 
@@ -16,10 +17,10 @@ final class TrackPlaneStack {
     private static final long CHECK_US = 5_000;
 
     private final SensorSize sensor;
-    private final SofasParameters p;
-    private final MetricFit fit;
     private final Consumer<Segment> ended;
-    private final TrackPlane[] planes;
+    private SofasParameters p;
+    private MetricFit fit;
+    private TrackPlane[] planes;
     private final List<TrackPlane> unused = new ArrayList<>();
     private LiveEvents spare = new LiveEvents();
     private int size;
@@ -131,6 +132,20 @@ final class TrackPlaneStack {
             segments.add(planes[i].segment(sensor.width(), sensor.height(), Segment.Fate.ALIVE, 0));
         }
         return segments;
+    }
+
+    /** Tracks on with other parameters; where fewer planes are allowed, the last ones end. */
+    void setParameters(SofasParameters next, MetricFit nextFit) {
+        p = next;
+        fit = nextFit;
+        while (size > p.maxTrackPlanes()) {
+            end(size - 1, Segment.Fate.REMOVED, 0);
+        }
+        planes = Arrays.copyOf(planes, p.maxTrackPlanes());
+        for (int i = 0; i < size; i++) {
+            planes[i].setParameters(p);
+        }
+        unused.clear();
     }
 
     void reset() {
