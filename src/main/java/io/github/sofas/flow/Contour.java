@@ -10,7 +10,7 @@ package io.github.sofas.flow;
  */
 final class Contour {
     /** Cells around the sensor, for what leaves it between two projections. */
-    private static final int MARGIN = 24;
+    static final int MARGIN = 24;
     private static final int ONE_ON = 1;
     private static final int ONE_OFF = 1 << 16;
     private static final int LEAST_SUPPORT = 4;

@@ -25,6 +25,12 @@ final class FlowPlane {
     /** A ring's time is in ticks in which it travels at most this part of a pixel, where a µs is not longer. */
     private static final double TICK_PX = 1.0 / 256;
 
+    /**
+     * Most events that a ring holds, less what it takes in at a time; where more come, the oldest go early. Enough for
+     * 700,000 events a second that no track plane takes; memory is to be bounded.
+     */
+    private static final int MOST_EVENTS = (1 << 20) - 2 * BLOCK;
+
     private final int n;
     private final double[] speed;
     private final long[] windowUs;
@@ -105,7 +111,7 @@ final class FlowPlane {
     }
 
     /** Cells along an axis, as a power of two. */
-    private static int bits(int sensorSide, SofasParameters p) {
+    static int bits(int sensorSide, SofasParameters p) {
         int least = sensorSide / 2 + (int) p.flowTravelPx() / 2 + 3;
         return Integer.SIZE - Integer.numberOfLeadingZeros(least - 1);
     }
@@ -191,15 +197,19 @@ final class FlowPlane {
 
     private void release(int ring, long limitUs) {
         int from = oldest[ring];
-        while (from != end[ring] && timeUs[from & mask] < limitUs) {
+        while (from != end[ring] && isOver(from, limitUs)) {
             int to = from;
-            while (to != end[ring] && to - from < BLOCK && timeUs[to & mask] < limitUs) {
+            while (to != end[ring] && to - from < BLOCK && isOver(to, limitUs)) {
                 to++;
             }
             vote(ring, gatherAll(from, to), -1);
             from = to;
         }
         oldest[ring] = from;
+    }
+
+    private boolean isOver(int event, long limitUs) {
+        return timeUs[event & mask] < limitUs || head - event > MOST_EVENTS;
     }
 
     /** Gathers a block of events, and returns how many there are. */

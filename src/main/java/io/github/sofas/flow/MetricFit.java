@@ -75,9 +75,18 @@ final class MetricFit {
         vote = new byte[capacity];
         alongX = new float[capacity];
         alongY = new float[capacity];
-        width = (int) (sensorWidth / cellPx) + 3 + 2 * BORDER;
-        height = (int) (sensorHeight / cellPx) + 3 + 2 * BORDER;
+        width = side(sensorWidth, cellPx);
+        height = side(sensorHeight, cellPx);
         f = new int[width * height];
+    }
+
+    private static int side(int sensorSide, double cellPx) {
+        return (int) (sensorSide / cellPx) + 3 + 2 * BORDER;
+    }
+
+    /** Cells of the grid that votes are counted on. */
+    static long cells(int sensorWidth, int sensorHeight, double cellPx) {
+        return (long) side(sensorWidth, cellPx) * side(sensorHeight, cellPx);
     }
 
     /** The most events that fit. */

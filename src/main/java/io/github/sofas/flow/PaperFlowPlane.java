@@ -12,7 +12,9 @@ final class PaperFlowPlane {
      * Longest side of an accumulator. Parameters that let live events travel farther than that fold the plane: cells
      * that far apart then count as one, which costs a little noise, where memory would grow without bounds.
      */
-    private static final int LONGEST_SIDE = 4096;
+    static final int LONGEST_SIDE = 4096;
+    /** Most events that wait for a structure, so that no cell overflows; where there are more, the oldest go early. */
+    static final int MOST_EVENTS = Short.MAX_VALUE;
 
     private SofasParameters p;
     private final int n;
@@ -50,11 +52,10 @@ final class PaperFlowPlane {
         for (int j = 0; j < n; j++) {
             for (int i = 0; i < n; i++) {
                 int k = j * n + i;
-                vx[k] = Projection.fixed(p.velocityAt(SofasParameters.angleAt(i, n, p.rangeDeg())));
-                vy[k] = Projection.fixed(p.velocityAt(SofasParameters.angleAt(j, n, p.rangeDeg())));
-                // a torus that no two live events of different cells share a cell of
-                int sizeX = side(width + 2 + Math.abs(Projection.travelled(vx[k], p.lifespanUs())));
-                int sizeY = side(height + 2 + Math.abs(Projection.travelled(vy[k], p.lifespanUs())));
+                vx[k] = velocity(i, p);
+                vy[k] = velocity(j, p);
+                int sizeX = side(width, vx[k], p);
+                int sizeY = side(height, vy[k], p);
                 maskX[k] = sizeX - 1;
                 maskY[k] = sizeY - 1;
                 shift[k] = Integer.numberOfTrailingZeros(sizeX);
@@ -63,6 +64,16 @@ final class PaperFlowPlane {
         }
         bySpeed = slowestFirst(vx, vy);
         refinement = new PaperRefinement(p);
+    }
+
+    /** Velocity of the i-th projection along an axis. */
+    static int velocity(int i, SofasParameters p) {
+        return Projection.fixed(p.velocityAt(SofasParameters.angleAt(i, p.flowProjections(), p.rangeDeg())));
+    }
+
+    /** Side of a torus that no two live events of different cells share a cell of. */
+    static int side(int sensorSide, int velocity, SofasParameters p) {
+        return side(sensorSide + 2 + Math.abs(Projection.travelled(velocity, p.lifespanUs())));
     }
 
     /** Side of a torus that is to hold at least so many cells: a power of two, and at most {@value #LONGEST_SIDE}. */
@@ -101,6 +112,9 @@ final class PaperFlowPlane {
             referenceUs = timeUs;
         }
         flush(timeUs - p.lifespanUs());
+        if (head - tail == MOST_EVENTS) {
+            removeOldest();
+        }
         if (head == time.length) {
             makeRoom();
         }
@@ -139,9 +153,13 @@ final class PaperFlowPlane {
 
     private void flush(long oldestUs) {
         while (tail != head && time[tail] < oldestUs) {
-            vote(tail, -sign[tail]);
-            tail++;
+            removeOldest();
         }
+    }
+
+    private void removeOldest() {
+        vote(tail, -sign[tail]);
+        tail++;
     }
 
     private void makeRoom() {

@@ -97,7 +97,7 @@ final class PaperRefinement {
         }
     }
 
-    /** Projects the members and returns the metric. */
+    /** Projects the members and returns the metric; -1 where they fall too far apart for a plane of bounded size. */
     private long project(double velocityX, double velocityY) {
         int vx = Projection.fixed(velocityX);
         int vy = Projection.fixed(velocityY);
@@ -115,6 +115,9 @@ final class PaperRefinement {
                 loY = Math.min(loY, cy);
                 hiY = Math.max(hiY, cy);
             }
+        }
+        if (Math.max(hiX - loX, hiY - loY) >= PaperFlowPlane.LONGEST_SIDE) {
+            return -1;
         }
         // a border of one empty cell around, for the flood fill
         minX = loX - 1;
@@ -145,7 +148,10 @@ final class PaperRefinement {
 
     /** Keeps the members on strong cells and on occupied cells connected to them. */
     private void associate() {
-        project(p.velocityAt(angleX), p.velocityAt(angleY));
+        if (project(p.velocityAt(angleX), p.velocityAt(angleY)) < 0) {
+            members = 0;
+            return;
+        }
         int cells = columns * rows;
         long sum = 0;
         long squares = 0;

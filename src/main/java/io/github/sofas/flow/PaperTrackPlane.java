@@ -10,6 +10,8 @@ import java.util.Arrays;
 final class PaperTrackPlane {
     private static final int SIDE = 3;
     private static final int CENTRE = SIDE * SIDE / 2;
+    /** Most live events, so that no cell overflows; where there are more, the oldest go early. */
+    static final int MOST_EVENTS = Short.MAX_VALUE;
 
     private SofasParameters p;
     private final int maskX;
@@ -60,10 +62,8 @@ final class PaperTrackPlane {
 
     PaperTrackPlane(int width, int height, SofasParameters p) {
         this.p = p;
-        // a torus that no two live events of different cells share a cell of
-        double room = Math.ceil(farthestTravel(p));
-        int sizeX = PaperFlowPlane.side(width + room);
-        int sizeY = PaperFlowPlane.side(height + room);
+        int sizeX = side(width, p);
+        int sizeY = side(height, p);
         maskX = sizeX - 1;
         maskY = sizeY - 1;
         shift = Integer.numberOfTrailingZeros(sizeX);
@@ -71,6 +71,11 @@ final class PaperTrackPlane {
         accumulator = new short[SIDE * SIDE][sizeX * sizeY];
         raised = new short[sizeX * sizeY];
         raisedFold = new int[sizeX * sizeY];
+    }
+
+    /** Side of a torus that no two live events of different cells share a cell of. */
+    static int side(int sensorSide, SofasParameters p) {
+        return PaperFlowPlane.side(sensorSide + Math.ceil(farthestTravel(p)));
     }
 
     /**
@@ -122,6 +127,9 @@ final class PaperTrackPlane {
      */
     boolean offer(int eventX, int eventY, long timeUs) {
         expire(timeUs);
+        if (head - tail == MOST_EVENTS) {
+            removeOldest();
+        }
         locate(eventX, eventY, timeUs);
         for (int k = 0; k < hits.length; k++) {
             if (accumulator[k][cell[k]] > 0) {
@@ -280,14 +288,18 @@ final class PaperTrackPlane {
     private void expire(long nowUs) {
         long oldestUs = nowUs - lifetimeUs;
         while (tail != head && time[tail] < oldestUs) {
-            locate(x[tail], y[tail], time[tail]);
-            for (int k = 0; k < cell.length; k++) {
-                if (--accumulator[k][cell[k]] == 0) {
-                    cells[k]--;
-                }
-            }
-            tail++;
+            removeOldest();
         }
+    }
+
+    private void removeOldest() {
+        locate(x[tail], y[tail], time[tail]);
+        for (int k = 0; k < cell.length; k++) {
+            if (--accumulator[k][cell[k]] == 0) {
+                cells[k]--;
+            }
+        }
+        tail++;
     }
 
     private void remember(int eventX, int eventY, long timeUs) {
@@ -358,7 +370,7 @@ final class PaperTrackPlane {
         time = newTime;
         x = newX;
         y = newY;
-        tail = 0;
+        tail = Math.max(0, mine + theirs - MOST_EVENTS);
         head = mine + theirs;
         events += other.events;
         sinceCheck += other.sinceCheck;

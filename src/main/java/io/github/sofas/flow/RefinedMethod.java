@@ -11,6 +11,7 @@ final class RefinedMethod implements Method {
     private SofasParameters p;
     private MetricFit fit;
     private LoneEvents lone;
+    private BusyPixels busy;
     private FlowPlane flowPlane;
     private StructureSearch search;
     private float vxPxPerS;
@@ -21,6 +22,7 @@ final class RefinedMethod implements Method {
         this.p = p;
         fit = new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), LiveEvents.CAPACITY);
         lone = new LoneEvents(sensor.width(), sensor.height(), p.slowestPxPerS());
+        busy = new BusyPixels(sensor.width(), sensor.height(), p);
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
         search = new StructureSearch(flowPlane, p, fit);
         stack = new TrackPlaneStack(sensor, p, fit, ended);
@@ -36,7 +38,7 @@ final class RefinedMethod implements Method {
             vxPxPerS = plane.motion().vxAt(y, timeUs);
             vyPxPerS = plane.motion().vyAt(x, timeUs);
             stack.take(plane, x, y, timeUs, polarity);
-        } else if (!lone.isAlone(x, y, timeUs)) {
+        } else if (!lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
             flowPlane.add(x, y, timeUs, polarity);
         }
         if (flowPlane.isToSettle(timeUs)) {
@@ -68,6 +70,7 @@ final class RefinedMethod implements Method {
         }
         if (looksElsewhere) {
             lone = new LoneEvents(sensor.width(), sensor.height(), next.slowestPxPerS());
+            busy = new BusyPixels(sensor.width(), sensor.height(), next);
             flowPlane = new FlowPlane(sensor.width(), sensor.height(), next);
             search = new StructureSearch(flowPlane, next, fit);
         }
@@ -89,6 +92,7 @@ final class RefinedMethod implements Method {
     @Override
     public void reset() {
         lone.reset();
+        busy.reset();
         flowPlane.reset();
         search.reset();
         stack.reset();

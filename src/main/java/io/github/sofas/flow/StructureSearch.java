@@ -237,7 +237,7 @@ final class StructureSearch {
         if (window <= 0) {
             return false;
         }
-        load((firstUs + lastUs) >> 1);
+        load(firstUs + (lastUs - firstUs) / 2);
         if (!climb(plane.vx(k), plane.vy(k), window, HOPELESS * p.evidence()) || !isEvident(window)) {
             return false;
         }

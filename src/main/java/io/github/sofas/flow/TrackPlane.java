@@ -171,7 +171,7 @@ final class TrackPlane {
         measuredUs = nowUs;
         if (live.size() >= LEAST_EVENTS && nowUs - live.oldestUs() > 10) {
             double half = (nowUs - live.oldestUs()) * 0.5e-6;
-            motion.moveReference((nowUs + live.oldestUs()) >> 1);
+            motion.moveReference(live.oldestUs() + (nowUs - live.oldestUs()) / 2);
             int shared = load(fit);
             if (fit.size() >= LEAST_EVENTS) {
                 measure(fit, half, (double) shared / (shared + fit.size()));

@@ -49,6 +49,20 @@ public class PaperFlowPlaneTest {
     }
 
     @Test
+    public void oldestEventsGoEarlyWhereMoreComeThanACellCanCount() {
+        // 40,000 events on one cell in 40 ms: the newest 32,767 are held, and their metric is their square
+        PaperFlowPlane plane = new PaperFlowPlane(40, 30, P.withFlowProjections(3).withConstantEvents(100_000));
+        for (int i = 0; i < 40_000; i++) {
+            plane.add(7, 7, i, 1);
+        }
+        assertEquals(32_767, plane.size());
+        assertEquals(32_767L * 32_767, plane.metric(1, 1));
+        plane.add(20, 20, 300_000, 1);
+        assertEquals(1, plane.size());
+        assertEquals(1, plane.metric(1, 1));
+    }
+
+    @Test
     public void eventFallsWhereItsProjectionPutsIt() {
         // at 36.397 px/s two events 27,475 us and 1 px apart meet (1.00000 px), in x with (5, 4), in y with (4, 5)
         PaperFlowPlane plane = new PaperFlowPlane(40, 30, P);

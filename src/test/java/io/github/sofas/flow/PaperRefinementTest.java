@@ -143,4 +143,17 @@ public class PaperRefinementTest {
         PaperRefinement structure = refined(P.withFlowProjections(31).withCycles(2), events, 30, 15);
         assertTrue("angle " + structure.angleX(), structure.angleX() > 70 && structure.angleX() <= 89);
     }
+
+    @Test
+    public void projectionThatSpreadsTheEventsBeyondAPlaneHoldsNoStructure() {
+        // 15 of 31 steps of 5.8 degrees, 87.1, are 1,972 px/s: over 10 s a plane of 19,500 px
+        List<Event> events = new ArrayList<>();
+        for (int i = 0; i < 100; i++) {
+            events.add(new Event(5, 5, i * 100_000L, 1));
+        }
+        events.add(new Event(30, 20, 9_900_000, 1));
+        SofasParameters p = P.withLifespanUs(60_000_000).withCycles(1).withThresholdSd(0);
+        assertEquals(0, refined(p.withRangeDeg(180).withFlowProjections(31), events, 30, 30).size());
+        assertEquals(100, refined(p.withFlowProjections(9), events, 4, 4).size());
+    }
 }

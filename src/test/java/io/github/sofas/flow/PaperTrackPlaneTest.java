@@ -63,6 +63,30 @@ public class PaperTrackPlaneTest {
     }
 
     @Test
+    public void oldestEventsGoEarlyWhereMoreComeThanACellCanCount() {
+        PaperTrackPlane plane = stillRow(P, 28);
+        for (int i = 0; i < 36_000; i++) {
+            assertTrue(plane.offer(11 + i % 27, 5, i));
+        }
+        assertEquals(32_767, plane.live());
+        // the dot that did not fire again went first
+        assertEquals(27, plane.cells(1, 1));
+    }
+
+    @Test
+    public void planesThatMergeKeepTheNewestEvents() {
+        PaperTrackPlane plane = stillRow(P, 28);
+        PaperTrackPlane other = stillRow(P, 28);
+        for (int i = 0; i < 20_000; i++) {
+            plane.offer(10 + i % 28, 5, i);
+            other.offer(11 + i % 27, 5, 20_000 + i);
+        }
+        plane.merge(other);
+        assertEquals(32_767, plane.live());
+        assertEquals(28, plane.cells(1, 1));
+    }
+
+    @Test
     public void eventOnTheContourBelongsAndOneBesideItDoesNot() {
         PaperTrackPlane plane = stillRow(P, 8);
         assertTrue(plane.offer(17, 5, 10));
