@@ -41,8 +41,10 @@ final class Aedat2Format {
     static final int DAVIS_IMU = 0x80000C00;
     static final int IMU_CODE_SHIFT = 28;
     static final int IMU_CODE_MASK = 7;
-    /** Words of one IMU sample, with codes 0 to 6. */
+    static final int IMU_VALUE_SHIFT = 12;
+    /** Words of one IMU sample, with codes 0 to 6: acceleration x y z, temperature, gyro x y z. */
     static final int IMU_WORDS = 7;
+    static final int IMU_GYRO_X = 4;
 
     /** What one overflow of 32-bit time is worth in µs. */
     static final long WRAP_US = 1L << 32;

@@ -16,6 +16,8 @@ import static io.github.sofas.recording.Aedat2Format.DVS128_X_SHIFT;
 import static io.github.sofas.recording.Aedat2Format.DVS128_Y_SHIFT;
 import static io.github.sofas.recording.Aedat2Format.IMU_CODE_MASK;
 import static io.github.sofas.recording.Aedat2Format.IMU_CODE_SHIFT;
+import static io.github.sofas.recording.Aedat2Format.IMU_GYRO_X;
+import static io.github.sofas.recording.Aedat2Format.IMU_VALUE_SHIFT;
 import static io.github.sofas.recording.Aedat2Format.IMU_WORDS;
 import static io.github.sofas.recording.Aedat2Format.INT;
 import static io.github.sofas.recording.Aedat2Format.RECORD_BYTES_1;
@@ -49,6 +51,8 @@ final class Aedat2Reader extends RecordingReader {
     private int lastRawTime;
     /** Code that the next word of an IMU sample must have; 0 between samples. */
     private int nextImuCode;
+    /** The words of the IMU sample so far. */
+    private final short[] imuWords = new short[IMU_WORDS];
 
     Aedat2Reader(RecordingFile file, RecordingOptions options, String formatName, int recordBytes, String chipName,
                  Chip chip) {
@@ -187,13 +191,21 @@ final class Aedat2Reader extends RecordingReader {
         } else if ((address & DAVIS_IMU) != DAVIS_IMU) {
             apsSamples++;
         } else {
-            countImuWord(address >>> IMU_CODE_SHIFT & IMU_CODE_MASK, n, p);
+            takeImuWord(address, n, p);
         }
     }
 
-    private void countImuWord(int code, int n, int p) {
+    private void takeImuWord(int address, int n, int p) {
+        int code = address >>> IMU_CODE_SHIFT & IMU_CODE_MASK;
         if (code == nextImuCode) {
-            imuSamples += code == IMU_WORDS - 1 ? 1 : 0;
+            imuWords[code] = (short) (address >>> IMU_VALUE_SHIFT);
+            if (code == IMU_WORDS - 1) {
+                imuSamples++;
+                if (imuReceiver != null) {
+                    imuReceiver.accept(new ImuSample((int) INT.get(file.buffer, p + Integer.BYTES) + wrapUs,
+                            imuWords[IMU_GYRO_X], imuWords[IMU_GYRO_X + 1], imuWords[IMU_GYRO_X + 2]));
+                }
+            }
             nextImuCode = (code + 1) % IMU_WORDS;
             return;
         }
@@ -202,6 +214,7 @@ final class Aedat2Reader extends RecordingReader {
             addFault("imu", () -> at(eventNumber(n), offsetOf(p)) + "malformed, an IMU sample's word must have code "
                     + expected + " but had " + code);
         }
+        imuWords[0] = (short) (address >>> IMU_VALUE_SHIFT);
         nextImuCode = code == 0 ? 1 : SKIP_TO_NEXT_IMU;
     }
 

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
@@ -35,6 +36,8 @@ public abstract class RecordingReader implements EventSource {
     long stepsBack;
     long timeWraps;
     long otherRecords;
+    /** Gets IMU samples; null where no one wants them. */
+    Consumer<ImuSample> imuReceiver;
 
     private final String formatName;
     private final String chipName;
@@ -95,6 +98,14 @@ public abstract class RecordingReader implements EventSource {
     public final RecordingCounts counts() {
         return new RecordingCounts(events, apsSamples, frames, imuSamples, triggers, invalid, outsideSensor, stepsBack,
                 timeWraps, otherRecords);
+    }
+
+    /**
+     * Delivers IMU samples from now on, each from within {@link #next} and before the events that follow it in the
+     * file. Only AEDAT 2.0 recordings of DAVIS cameras deliver them; other formats count theirs.
+     */
+    public final void onImuSample(Consumer<ImuSample> receiver) {
+        imuReceiver = receiver;
     }
 
     /** How far into the file the reading is, in bytes; what is still buffered is not counted. */

@@ -1,13 +1,17 @@
 package io.github.sofas.recording;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.event.EventBatch;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.Before;
@@ -67,6 +71,23 @@ public class Aedat2ReaderTest {
         assertEquals(List.of(), read.faults);
         header = "#!AER-DAT2.0\r\n" + DVS128 + END;
         assertEquals(2, read(record(0x8000, 1), record(0x80000000, 1), dvs(2, 0, 0, 1)).counts.triggers());
+    }
+
+    @Test public void deliversWholeImuSamplesToThoseWhoWantThem() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        byte[][] records = new byte[3 * 7 - 1][];
+        for (int i = 0; i < records.length; i++) {
+            // words 0 to 6 hold -3, -2, ... 3 in the first sample, ten times that in the second; the last is cut off
+            int value = (i % 7 - 3) * (i < 7 ? 1 : 10);
+            records[i] = record(0x80000C00 | i % 7 << 28 | (value & 0xFFFF) << 12, i < 7 ? 5 : 6);
+        }
+        Path file = Files.write(path().resolve("a.aedat"), join(header, records));
+        List<ImuSample> samples = new ArrayList<>();
+        try (RecordingReader reader = Recordings.open(file, ReadResult.PLAIN)) {
+            reader.onImuSample(samples::add);
+            assertFalse(reader.next(new EventBatch(4)));
+        }
+        assertEquals(List.of(new ImuSample(5, 1, 2, 3), new ImuSample(6, 10, 20, 30)), samples);
     }
 
     @Test public void reportsAnImuSampleThatMissesAWord() throws Exception {
