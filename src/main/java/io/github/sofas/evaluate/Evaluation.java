@@ -1,8 +1,6 @@
 package io.github.sofas.evaluate;
 
-import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.EventLabeller;
-import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.simulate.SimulatedRecording;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,8 +24,6 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
                          long noiseEventsWithFlow, FlowFigures flow, List<FlowFigures> flowByObject,
                          SegmentationFigures segmentation, List<SegmentationFigures> segmentationByObject,
                          List<ConvergenceBin> convergence) {
-    private static final int BATCH = 4096;
-
     /**
      * Computes all figures.
      *
@@ -40,7 +36,7 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
                     + estimate.size());
         }
         ObjectIds ids = new ObjectIds(truth);
-        int start = firstCounted(truth, options.skipFirstShare());
+        int start = truth.firstCounted(options.skipFirstShare());
         FlowFigures.Gatherer all = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS);
         FlowFigures.Gatherer[] byObject = new FlowFigures.Gatherer[ids.count()];
         for (int o = 0; o < byObject.length; o++) {
@@ -78,35 +74,7 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
      * @param method made for the recording's sensor; not reset before
      */
     public static Evaluation of(SimulatedRecording recording, EventLabeller method, EvaluationOptions options) {
-        EventBatch batch = new EventBatch(BATCH);
-        FlowOutput output = new FlowOutput(BATCH);
-        FlowEstimate estimate = new FlowEstimate();
-        for (int from = 0; from < recording.size(); from += BATCH) {
-            int count = Math.min(BATCH, recording.size() - from);
-            System.arraycopy(recording.timeUs, from, batch.timeUs, 0, count);
-            System.arraycopy(recording.x, from, batch.x, 0, count);
-            System.arraycopy(recording.y, from, batch.y, 0, count);
-            System.arraycopy(recording.polarity, from, batch.polarity, 0, count);
-            batch.setSize(count);
-            method.process(batch, output);
-            estimate.append(output, count);
-        }
-        return of(new GroundTruth(recording.timeUs, recording.vxPxPerS, recording.vyPxPerS, recording.object),
-                estimate, options);
-    }
-
-    private static int firstCounted(GroundTruth truth, double skipFirstShare) {
-        int n = truth.size();
-        if (n == 0) {
-            return 0;
-        }
-        long first = truth.timeUs()[0];
-        double from = first + skipFirstShare * (truth.timeUs()[n - 1] - first);
-        int i = 0;
-        while (i < n && truth.timeUs()[i] < from) {
-            i++;
-        }
-        return i;
+        return of(GroundTruth.of(recording), FlowEstimate.of(recording, method), options);
     }
 
     private static SegmentationFigures.Gatherer segmentation(GroundTruth truth, FlowEstimate estimate, ObjectIds ids,

@@ -35,27 +35,27 @@ public record EvaluationReport(String version, String recording, String truth, S
     private record Column(String of, Map<String, Number> figures) {
     }
 
-    private List<Column> flow() {
+    private static List<Column> flow(Evaluation evaluation) {
         List<Column> columns = new ArrayList<>();
-        columns.add(new Column(ALL, NamedFigures.flow(run.evaluation().flow())));
-        for (FlowFigures figures : run.evaluation().flowByObject()) {
+        columns.add(new Column(ALL, NamedFigures.flow(evaluation.flow())));
+        for (FlowFigures figures : evaluation.flowByObject()) {
             columns.add(new Column(Integer.toString(figures.object()), NamedFigures.flow(figures)));
         }
         return columns;
     }
 
-    private List<Column> segmentation() {
+    private static List<Column> segmentation(Evaluation evaluation) {
         List<Column> columns = new ArrayList<>();
-        columns.add(new Column(ALL, NamedFigures.segmentation(run.evaluation().segmentation())));
-        for (SegmentationFigures figures : run.evaluation().segmentationByObject()) {
+        columns.add(new Column(ALL, NamedFigures.segmentation(evaluation.segmentation())));
+        for (SegmentationFigures figures : evaluation.segmentationByObject()) {
             columns.add(new Column(Integer.toString(figures.object()), NamedFigures.segmentation(figures)));
         }
         return columns;
     }
 
-    private List<Column> convergence() {
+    private static List<Column> convergence(Evaluation evaluation) {
         List<Column> rows = new ArrayList<>();
-        for (ConvergenceBin bin : run.evaluation().convergence()) {
+        for (ConvergenceBin bin : evaluation.convergence()) {
             rows.add(new Column(Long.toString(bin.fromUs()), NamedFigures.convergence(bin)));
         }
         return rows;
@@ -71,11 +71,11 @@ public record EvaluationReport(String version, String recording, String truth, S
                 .append(method).append(": ")
                 .append(NamedFigures.text(run.methodSeconds(), 3)).append(" s, ")
                 .append(Math.round(run.eventsPerSecond())).append(" events/s\n");
-        table(text, "flow, by object", flow());
+        table(text, "flow, by object", flow(evaluation));
         table(text, "noise", List.of(new Column(ALL, NamedFigures.noise(evaluation))));
         table(text, "segmentation, by object, in windows of "
-                + NamedFigures.text(evaluation.options().windowUs() / 1e3, 0) + " ms", segmentation());
-        convergenceTable(text);
+                + NamedFigures.text(evaluation.options().windowUs() / 1e3, 0) + " ms", segmentation(evaluation));
+        convergenceTable(text, evaluation);
         return text.toString();
     }
 
@@ -92,13 +92,13 @@ public record EvaluationReport(String version, String recording, String truth, S
     }
 
     /** A row a bin; only as far as there are events. */
-    private void convergenceTable(StringBuilder text) {
+    private static void convergenceTable(StringBuilder text, Evaluation evaluation) {
         text.append("\nconvergence, by time since an object's appearance\n");
         for (String title : List.of("from ms", "events", "with flow", "magnitude %", "angle deg", "px/s", "error %")) {
             cell(text, title);
         }
         text.append('\n');
-        for (Column row : convergence()) {
+        for (Column row : convergence(evaluation)) {
             Map<String, Number> figures = row.figures;
             if (figures.get("events").longValue() > 0) {
                 for (String figure : figures.keySet()) {
@@ -127,12 +127,22 @@ public record EvaluationReport(String version, String recording, String truth, S
      * @throws IOException where it cannot be written
      */
     public void writeCsv(OutputStream out) throws IOException {
-        StringBuilder csv = new StringBuilder(CSV_HEADER).append('\n');
-        lines(csv, "flow", flow());
-        lines(csv, "noise", List.of(new Column(ALL, NamedFigures.noise(run.evaluation()))));
-        lines(csv, "segmentation", segmentation());
-        lines(csv, "convergence", convergence());
-        out.write(csv.toString().getBytes(StandardCharsets.US_ASCII));
+        String csv = CSV_HEADER + '\n' + csvLines(run.evaluation(), "");
+        out.write(csv.getBytes(StandardCharsets.US_ASCII));
+    }
+
+    /**
+     * The lines of the CSV form without the first, for a file that holds several evaluations.
+     *
+     * @param prefix before each line: the values of further columns on the left, each with its comma
+     */
+    public static String csvLines(Evaluation evaluation, String prefix) {
+        StringBuilder csv = new StringBuilder();
+        lines(csv, prefix + "flow", flow(evaluation));
+        lines(csv, prefix + "noise", List.of(new Column(ALL, NamedFigures.noise(evaluation))));
+        lines(csv, prefix + "segmentation", segmentation(evaluation));
+        lines(csv, prefix + "convergence", convergence(evaluation));
+        return csv.toString();
     }
 
     private static void lines(StringBuilder csv, String section, List<Column> columns) {
@@ -171,13 +181,13 @@ public record EvaluationReport(String version, String recording, String truth, S
             json.writeFieldName("method_seconds");
             writeFigure(json, run.methodSeconds());
             json.writeFieldName("flow");
-            writeColumns(json, flow());
+            writeColumns(json, flow(evaluation));
             json.writeFieldName("noise");
             writeFigures(json, NamedFigures.noise(evaluation));
             json.writeFieldName("segmentation");
-            writeColumns(json, segmentation());
+            writeColumns(json, segmentation(evaluation));
             json.writeArrayFieldStart("convergence");
-            for (Column bin : convergence()) {
+            for (Column bin : convergence(evaluation)) {
                 writeFigures(json, bin.figures);
             }
             json.writeEndArray();

@@ -1,10 +1,15 @@
 package io.github.sofas.evaluate;
 
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.simulate.SimulatedRecording;
 import java.util.Arrays;
 
 /** What a method said of each event of a recording, gathered batch by batch. */
 public final class FlowEstimate {
+    private static final int BATCH = 4096;
+
     private float[] vxPxPerS;
     private float[] vyPxPerS;
     private int[] segment;
@@ -36,6 +41,28 @@ public final class FlowEstimate {
                     + ", " + vyPxPerS.length + " and " + segment.length);
         }
         return new FlowEstimate(vxPxPerS, vyPxPerS, segment, segment.length);
+    }
+
+    /**
+     * Lets a method label a simulated recording.
+     *
+     * @param method made for the recording's sensor; not reset before
+     */
+    public static FlowEstimate of(SimulatedRecording recording, EventLabeller method) {
+        EventBatch batch = new EventBatch(BATCH);
+        FlowOutput output = new FlowOutput(BATCH);
+        FlowEstimate estimate = new FlowEstimate();
+        for (int from = 0; from < recording.size(); from += BATCH) {
+            int count = Math.min(BATCH, recording.size() - from);
+            System.arraycopy(recording.timeUs, from, batch.timeUs, 0, count);
+            System.arraycopy(recording.x, from, batch.x, 0, count);
+            System.arraycopy(recording.y, from, batch.y, 0, count);
+            System.arraycopy(recording.polarity, from, batch.polarity, 0, count);
+            batch.setSize(count);
+            method.process(batch, output);
+            estimate.append(output, count);
+        }
+        return estimate;
     }
 
     /**

@@ -107,14 +107,13 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
             if (speed < MIN_TRUE_SPEED) {
                 return;
             }
-            double estimatedSpeed = Math.hypot(ux, uy);
-            magnitude.add(100 * (estimatedSpeed - speed) / speed);
+            magnitude.add(magnitudeErrorPercent(vx, vy, ux, uy));
             double relativeError = 100 * error / speed;
             relative.add(relativeError);
             if (relativeError > RELATIVE_OUTLIER_PERCENT) {
                 relativeOutliers++;
             }
-            if (estimatedSpeed > 0) {
+            if (ux != 0 || uy != 0) {
                 double degrees = directionErrorDeg(vx, vy, ux, uy);
                 direction.add(degrees);
                 angle.add(Math.abs(degrees));
@@ -128,8 +127,17 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         }
     }
 
-    /** Angle from v to u; the cross and dot product together keep tiny angles exact, which an arc cosine does not. */
-    static double directionErrorDeg(double vx, double vy, double ux, double uy) {
+    /** Magnitude error of the estimate u of the true velocity v, which is not 0, in %. */
+    public static double magnitudeErrorPercent(double vx, double vy, double ux, double uy) {
+        double speed = Math.hypot(vx, vy);
+        return 100 * (Math.hypot(ux, uy) - speed) / speed;
+    }
+
+    /**
+     * Angle from the true velocity v to the estimate u, in degrees, in (-180, 180]; positive clockwise on screen. The
+     * cross and dot product together keep tiny angles exact, which an arc cosine does not.
+     */
+    public static double directionErrorDeg(double vx, double vy, double ux, double uy) {
         return Math.toDegrees(Math.atan2(vx * uy - vy * ux, vx * ux + vy * uy));
     }
 }

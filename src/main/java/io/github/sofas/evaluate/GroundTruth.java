@@ -1,5 +1,7 @@
 package io.github.sofas.evaluate;
 
+import io.github.sofas.simulate.SimulatedRecording;
+
 /**
  * What is true of each event of a recording, in parallel arrays. The arrays are held, not copied.
  *
@@ -37,6 +39,30 @@ public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int
                         + vxPxPerS[i] + ", " + vyPxPerS[i] + ")");
             }
         }
+    }
+
+    /** What the simulator knows of its recording; the recording's own arrays. */
+    public static GroundTruth of(SimulatedRecording recording) {
+        return new GroundTruth(recording.timeUs, recording.vxPxPerS, recording.vyPxPerS, recording.object);
+    }
+
+    /**
+     * The first event that counts where a share of the time is left out at the beginning: the first whose time is at
+     * least first + share (last - first).
+     *
+     * @param skipFirstShare 0 to below 1
+     */
+    public int firstCounted(double skipFirstShare) {
+        int n = size();
+        if (n == 0) {
+            return 0;
+        }
+        double from = timeUs[0] + skipFirstShare * (timeUs[n - 1] - timeUs[0]);
+        int i = 0;
+        while (i < n && timeUs[i] < from) {
+            i++;
+        }
+        return i;
     }
 
     /** How many events there are. */
