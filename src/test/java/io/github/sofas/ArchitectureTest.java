@@ -32,9 +32,11 @@ public class ArchitectureTest {
         Map.entry("baseline", Set.of("event", "flow")),
         Map.entry("simulate", Set.of("event")),
         Map.entry("evaluate", Set.of("event", "flow", "recording", "export", "baseline", "simulate")),
+        Map.entry("experiments", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate",
+            "evaluate")),
         Map.entry("benchmark", Set.of("event", "flow", "recording", "export", "simulate")),
         Map.entry("cli", Set.of("event", "flow", "recording", "live", "export", "render", "baseline", "simulate",
-            "evaluate", "benchmark")));
+            "evaluate", "experiments", "benchmark")));
 
     private static final JavaClasses MAIN = new ClassFileImporter()
         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)

@@ -15,7 +15,8 @@ import picocli.CommandLine.Spec;
     synopsisSubcommandLabel = "COMMAND",
     description = "Optical flow and segment of every event of event-camera recordings.",
     subcommands = {RunCommand.class, LiveCommand.class, InfoCommand.class, EvaluateCommand.class,
-        SimulateCommand.class, BenchCommand.class, HelpCommand.class, AutoComplete.GenerateCompletion.class})
+        SimulateCommand.class, ExperimentsCommand.class, BenchCommand.class, HelpCommand.class,
+        AutoComplete.GenerateCompletion.class})
 final class SofasCommand implements Runnable {
     @Spec
     private CommandSpec spec;

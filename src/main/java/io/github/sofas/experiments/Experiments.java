@@ -1,0 +1,212 @@
+package io.github.sofas.experiments;
+
+import io.github.sofas.evaluate.Evaluation;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.simulate.SimulatedRecording;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+
+/**
+ * What came of the paper's experiments: every method in every setting, metric maps, and recordings of real cameras
+ * where there are any. {@link #run} runs all of them; {@link ExperimentFiles} writes them.
+ */
+public final class Experiments {
+    private static final int FINE_MAP = 400;
+    private static final int COARSE_MAP = 20;
+    /** What the maps look at: well inside the film, and long enough for some px of travel. */
+    private static final long MAP_FROM_US = 500_000;
+    private static final long MAP_UNTIL_US = 600_000;
+
+    private final Map<Setting, Map<ComparedMethod, Trial>> trials = new LinkedHashMap<>();
+    private final List<RealExperiment> real = new ArrayList<>();
+    private final List<String> missing = new ArrayList<>();
+    private final List<String> failures = new ArrayList<>();
+    private final int jobs;
+    private MetricMap oneObject;
+    private MetricMap twoObjects;
+    private double seconds;
+
+    private Experiments(int jobs) {
+        this.jobs = jobs;
+    }
+
+    /**
+     * Runs everything.
+     *
+     * @param recordings folder of recordings of real cameras; null for none
+     * @param jobs how many scenes or methods run at a time, at least 1
+     * @param progress gets a line whenever a part is done, from several threads
+     * @throws InterruptedException where the thread is interrupted; nothing is left running
+     */
+    public static Experiments run(Path recordings, int jobs, Consumer<String> progress) throws InterruptedException {
+        return run(recordings, jobs, progress, Long.MAX_VALUE);
+    }
+
+    /** Runs everything on films that are cut off after a time. */
+    static Experiments run(Path recordings, int jobs, Consumer<String> progress, long longestUs)
+            throws InterruptedException {
+        long start = System.nanoTime();
+        Experiments experiments = new Experiments(jobs);
+        ExecutorService workers = Executors.newFixedThreadPool(jobs);
+        try {
+            Map<Setting, SimulatedRecording> films = film(workers, longestUs);
+            Map<Setting, Map<ComparedMethod, Future<Trial>>> trials = start(films, workers, progress);
+            Map<String, Future<RealExperiment>> real = experiments.startReal(recordings, workers, progress);
+            Future<MetricMap> one = workers.submit(() -> MetricMap.of(films.get(Setting.HEXAGON), MAP_FROM_US,
+                MAP_UNTIL_US, FINE_MAP));
+            Future<MetricMap> two = workers.submit(() -> MetricMap.of(films.get(Setting.TWO_OPPOSITE), MAP_FROM_US,
+                MAP_UNTIL_US, COARSE_MAP));
+            for (Setting setting : Setting.ALL) {
+                Map<ComparedMethod, Trial> byMethod = new EnumMap<>(ComparedMethod.class);
+                for (Map.Entry<ComparedMethod, Future<Trial>> trial : trials.get(setting).entrySet()) {
+                    byMethod.put(trial.getKey(), result(trial.getValue()));
+                }
+                experiments.trials.put(setting, byMethod);
+            }
+            experiments.takeReal(real);
+            experiments.oneObject = result(one);
+            experiments.twoObjects = result(two);
+            experiments.seconds = (System.nanoTime() - start) * 1e-9;
+            return experiments;
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private static Map<Setting, SimulatedRecording> film(ExecutorService workers, long longestUs)
+            throws InterruptedException {
+        Map<Setting, Future<SimulatedRecording>> filming = new LinkedHashMap<>();
+        for (Setting setting : Setting.ALL) {
+            long durationUs = Math.min(longestUs, setting.scene().durationUs(setting.options()));
+            filming.put(setting, workers.submit(() ->
+                SimulatedRecording.of(setting.scene(), setting.options().withDurationUs(durationUs))));
+        }
+        Map<Setting, SimulatedRecording> films = new LinkedHashMap<>();
+        for (Map.Entry<Setting, Future<SimulatedRecording>> film : filming.entrySet()) {
+            films.put(film.getKey(), result(film.getValue()));
+        }
+        return films;
+    }
+
+    /** The films with the most events first, so that no long one is left to the end. */
+    private static Map<Setting, Map<ComparedMethod, Future<Trial>>> start(Map<Setting, SimulatedRecording> films,
+            ExecutorService workers, Consumer<String> progress) {
+        List<Setting> longestFirst = new ArrayList<>(Setting.ALL);
+        longestFirst.sort(Comparator.comparingInt(setting -> -films.get(setting).size()));
+        Map<Setting, Map<ComparedMethod, Future<Trial>>> started = new LinkedHashMap<>();
+        for (Setting setting : longestFirst) {
+            Map<ComparedMethod, Future<Trial>> byMethod = new EnumMap<>(ComparedMethod.class);
+            for (ComparedMethod method : ComparedMethod.values()) {
+                byMethod.put(method, workers.submit(() -> {
+                    Trial trial = Trial.of(setting, films.get(setting), method);
+                    progress.accept(setting.title() + ": " + method.title());
+                    return trial;
+                }));
+            }
+            started.put(setting, byMethod);
+        }
+        return started;
+    }
+
+    private Map<String, Future<RealExperiment>> startReal(Path recordings, ExecutorService workers,
+                                                          Consumer<String> progress) {
+        Map<String, Future<RealExperiment>> started = new LinkedHashMap<>();
+        for (RealExperiments each : RealExperiments.values()) {
+            if (recordings == null || !Files.isRegularFile(recordings.resolve(each.fileName()))) {
+                missing.add(each.fileName());
+                continue;
+            }
+            started.put(each.fileName(), workers.submit(() -> {
+                RealExperiment experiment = each.on(recordings.resolve(each.fileName()));
+                progress.accept(each.fileName());
+                return experiment;
+            }));
+        }
+        return started;
+    }
+
+    private void takeReal(Map<String, Future<RealExperiment>> started) throws InterruptedException {
+        for (Future<RealExperiment> each : started.values()) {
+            try {
+                real.add(each.get());
+            } catch (ExecutionException e) {
+                if (!(e.getCause() instanceof EventSourceException)) {
+                    throw new IllegalStateException(e.getCause());
+                }
+                failures.add(e.getCause().getMessage());
+            }
+        }
+    }
+
+    /** The result of a part that only a fault of the program can make fail. */
+    private static <T> T result(Future<T> future) throws InterruptedException {
+        try {
+            return future.get();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException(e.getCause());
+        }
+    }
+
+    /** A line for each recording that could not be read to its end; nothing else is reported of it. */
+    public List<String> failures() {
+        return List.copyOf(failures);
+    }
+
+    /** How long all took, in s. */
+    public double seconds() {
+        return seconds;
+    }
+
+    /** How many ran at a time. */
+    int jobs() {
+        return jobs;
+    }
+
+    /** What a method did in a setting. */
+    Trial trial(Setting setting, ComparedMethod method) {
+        return trials.get(setting).get(method);
+    }
+
+    /** What the default preset reached of its goals, by the setting's title or the recording's file name. */
+    Map<String, List<Goal.Check>> checksByScene() {
+        Map<String, List<Goal.Check>> byScene = new LinkedHashMap<>();
+        trials.forEach((setting, byMethod) -> {
+            Map<ComparedMethod, Evaluation> evaluations = new EnumMap<>(ComparedMethod.class);
+            byMethod.forEach((method, trial) -> evaluations.put(method, trial.evaluation()));
+            byScene.put(setting.title(), setting.goals().stream().map(goal -> goal.check(evaluations)).toList());
+        });
+        real.forEach(each -> byScene.put(each.file(), each.checks()));
+        return byScene;
+    }
+
+    /** Metrics of one moving object, 400 x 400 projections. */
+    MetricMap oneObject() {
+        return oneObject;
+    }
+
+    /** Metrics of two opposite movers, 20 x 20 projections. */
+    MetricMap twoObjects() {
+        return twoObjects;
+    }
+
+    /** What came of the recordings of real cameras that were found. */
+    List<RealExperiment> real() {
+        return real;
+    }
+
+    /** File names of those that were not; all where no folder was given. */
+    List<String> missing() {
+        return missing;
+    }
+}

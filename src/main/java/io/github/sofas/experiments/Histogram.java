@@ -1,0 +1,67 @@
+package io.github.sofas.experiments;
+
+/**
+ * How often errors of which size occur. Bins are equally wide from -limit to limit; what lies beyond is counted apart.
+ *
+ * @param limit half the width of the range that the bins cover
+ * @param counts numbers of each bin
+ * @param below numbers under -limit
+ * @param above numbers of limit and over
+ */
+record Histogram(double limit, long[] counts, long below, long above) {
+
+    /** Bounds of a bin, the upper exclusive. */
+    double from(int bin) {
+        return -limit + bin * width();
+    }
+
+    double width() {
+        return 2 * limit / counts.length;
+    }
+
+    double middle(int bin) {
+        return from(bin) + width() / 2;
+    }
+
+    long total() {
+        long total = below + above;
+        for (long count : counts) {
+            total += count;
+        }
+        return total;
+    }
+
+    /** Share of all numbers that lie in a bin, in %; 0 where there are none. */
+    double percent(int bin) {
+        long total = total();
+        return total == 0 ? 0 : 100.0 * counts[bin] / total;
+    }
+
+    /** Counts numbers one by one. */
+    static final class Gatherer {
+        private final double limit;
+        private final long[] counts;
+        private long below;
+        private long above;
+
+        Gatherer(double limit, int bins) {
+            this.limit = limit;
+            counts = new long[bins];
+        }
+
+        void add(double value) {
+            int bin = (int) Math.floor((value + limit) * counts.length / (2 * limit));
+            if (bin < 0) {
+                below++;
+            } else if (bin >= counts.length) {
+                above++;
+            } else {
+                counts[bin]++;
+            }
+        }
+
+        Histogram histogram() {
+            return new Histogram(limit, counts.clone(), below, above);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+package io.github.sofas.experiments;
+
+import java.util.Arrays;
+
+/** Numbers of which the median is wanted. */
+final class Medians {
+    private double[] values = new double[64];
+    private int size;
+
+    void add(double value) {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, 2 * size);
+        }
+        values[size++] = value;
+    }
+
+    int size() {
+        return size;
+    }
+
+    /** The middle number, or the mean of the two in the middle; not a number where there is none. */
+    double median() {
+        if (size == 0) {
+            return Double.NaN;
+        }
+        double[] sorted = Arrays.copyOf(values, size);
+        Arrays.sort(sorted);
+        return (sorted[(size - 1) / 2] + sorted[size / 2]) / 2;
+    }
+}

@@ -1,0 +1,351 @@
+package io.github.sofas.experiments;
+
+import io.github.sofas.evaluate.FlowEstimate;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.recording.ImuSample;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.IntPredicate;
+
+/**
+ * The recordings of real cameras that something is known of. Velocities are in px/s, y down; what is known of them was
+ * measured in the recordings by hand, or by the camera's gyro.
+ */
+enum RealExperiments {
+    /** A pan whose velocity the camera's gyro tells. */
+    BOXES("boxes-translation.aedat") {
+        @Override
+        RealExperiment on(Path file) throws EventSourceException {
+            return boxes(LabelledRecording.of(file, null));
+        }
+    },
+    /** Three cars. */
+    CARS("cars.aedat") {
+        @Override
+        RealExperiment on(Path file) throws EventSourceException {
+            return cars(LabelledRecording.of(file, null));
+        }
+    },
+    /** Two rows of stripes. */
+    STRIPES("stripes.aedat") {
+        @Override
+        RealExperiment on(Path file) throws EventSourceException {
+            return stripes(LabelledRecording.of(file, null));
+        }
+    },
+    /** A ball on a pendulum. */
+    PENDULUM_BALL("pendulum-ball.aedat") {
+        @Override
+        RealExperiment on(Path file) throws EventSourceException {
+            return pendulumBall(LabelledRecording.of(file, null));
+        }
+    },
+    /** A square outline that a program drew. */
+    SQUARE("synthetic-square.aedat") {
+        @Override
+        RealExperiment on(Path file) throws EventSourceException {
+            return square(LabelledRecording.of(file, "DAVIS240C"));
+        }
+    };
+
+    private static final IntPredicate ALL = i -> true;
+    private static final String TIME = "time, s";
+    private static final String VX = "median velocity to the right, px/s";
+
+    // boxes-translation: 1000 deg/s range, lens of 4.5 mm on pixels of 18.5 um, and what the gyro shows at rest
+    private static final double GYRO_LSB_PER_DEG_PER_S = 32.8;
+    private static final double PX_PER_DEG = 4.245;
+    private static final double GYRO_AT_REST_DEG_PER_S = 1.13;
+    private static final double[] BOXES_TIMES_S = {0.3, 0.8, 1.3, 1.8};
+    private static final double BOXES_WINDOW_S = 0.1;
+    private static final double BOXES_BIN_S = 0.05;
+
+    private static final double CARS_HALF_WINDOW_S = 0.05;
+    private static final double CARS_BIN_S = 0.05;
+    private static final int CAR_FEWEST_EVENTS = 50;
+    private static final int CAR_SEGMENTS = 6;
+    private static final List<Sighting> SIGHTINGS = List.of(new Sighting("A", 0.5, 88, -29),
+        new Sighting("A", 1, 88, -29), new Sighting("A", 1.65, 88, -29), new Sighting("B", 1.65, 28, -10),
+        new Sighting("C", 1.65, -75, 32));
+
+    private static final double[] STRIPES_TIMES_S = {0.3, 0.6, 0.9};
+    private static final int UPPER_ROWS_END = 64;
+    private static final int LOWER_ROWS_START = 73;
+
+    private final String fileName;
+
+    RealExperiments(String fileName) {
+        this.fileName = fileName;
+    }
+
+    /** A car at a time, and its velocity. */
+    private record Sighting(String car, double timeS, double vx, double vy) {
+        String title() {
+            return String.format(Locale.ROOT, "%s at %.2f s (%.0f, %.0f)", car, timeS, vx, vy);
+        }
+    }
+
+    /** A segment over a window. */
+    private record SegmentMotion(int id, double vx, double vy) {
+        double offPercent(Sighting sighting) {
+            return 100 * Math.hypot(vx - sighting.vx, vy - sighting.vy) / Math.hypot(sighting.vx, sighting.vy);
+        }
+    }
+
+    String fileName() {
+        return fileName;
+    }
+
+    /** Runs every method on the recording. */
+    abstract RealExperiment on(Path file) throws EventSourceException;
+
+    private static RealExperiment boxes(LabelledRecording recording) {
+        List<String> header = new ArrayList<>(List.of("", "with flow"));
+        double[] truth = new double[BOXES_TIMES_S.length];
+        List<String> gyroRow = new ArrayList<>(List.of("gyro", ""));
+        for (int i = 0; i < truth.length; i++) {
+            truth[i] = gyroVx(recording, BOXES_TIMES_S[i], BOXES_TIMES_S[i] + BOXES_WINDOW_S);
+            header.add(number(1, BOXES_TIMES_S[i]) + " s");
+            gyroRow.add(number(1, truth[i]));
+        }
+        header.add("RMS error");
+        gyroRow.add("");
+        List<List<String>> rows = new ArrayList<>(List.of(gyroRow));
+        List<Goal.Check> checks = new ArrayList<>();
+        for (ComparedMethod method : ComparedMethod.values()) {
+            double share = 100 * recording.shareWithFlow(method);
+            List<String> row = new ArrayList<>(List.of(method.title(), number(1, share) + " %"));
+            double squares = 0;
+            for (int i = 0; i < truth.length; i++) {
+                double vx = recording.medianVx(method, BOXES_TIMES_S[i], BOXES_TIMES_S[i] + BOXES_WINDOW_S, ALL);
+                squares += (vx - truth[i]) * (vx - truth[i]);
+                row.add(number(1, vx));
+                if (method == ComparedMethod.SOFAS_DEFAULT) {
+                    checks.add(new Goal.Check("velocity at " + number(1, BOXES_TIMES_S[i]) + " s",
+                        "within 1 px/s of " + number(1, truth[i]), number(1, vx) + " px/s",
+                        Math.abs(vx - truth[i]) <= 1));
+                }
+            }
+            row.add(number(1, Math.sqrt(squares / truth.length)) + " px/s");
+            rows.add(row);
+            if (method == ComparedMethod.SOFAS_DEFAULT) {
+                checks.add(new Goal.Check("events with flow", "≥ 80 %", number(1, share) + " %", share >= 80));
+            }
+        }
+        List<Plot.Line> lines = new ArrayList<>();
+        for (ComparedMethod method : ComparedMethod.values()) {
+            lines.add(new Plot.Line(method.title(), Plot.Ink.of(method),
+                recording.medianVxCurve(method, BOXES_BIN_S, ALL)));
+        }
+        lines.add(new Plot.Line("gyro", Plot.Ink.TRUTH, gyroCurve(recording)));
+        return new RealExperiment(BOXES.fileName, "Textured boxes before a slowly panned DAVIS240C. The true velocity "
+            + "to the right is the gyro's own rate about the vertical, at 4.245 px a degree; what the gyro shows at "
+            + "rest, 1.13 deg/s, is added. Medians over all events with flow, in windows of 0.1 s from the time named.",
+            header, rows, checks, List.of(new Plot("boxes-translation", "Velocity to the right", TIME, VX, lines)));
+    }
+
+    private static double gyroVx(LabelledRecording recording, double fromS, double untilS) {
+        double sum = 0;
+        int n = 0;
+        for (ImuSample sample : recording.imuSamples()) {
+            double timeS = recording.timeS(sample);
+            if (timeS >= fromS && timeS < untilS) {
+                sum += -sample.gyroY() / GYRO_LSB_PER_DEG_PER_S + GYRO_AT_REST_DEG_PER_S;
+                n++;
+            }
+        }
+        return n == 0 ? Double.NaN : sum / n * PX_PER_DEG;
+    }
+
+    private static Curve gyroCurve(LabelledRecording recording) {
+        int bins = (int) Math.ceil(recording.durationS() / BOXES_BIN_S);
+        double[] middles = new double[bins];
+        double[] values = new double[bins];
+        for (int b = 0; b < bins; b++) {
+            middles[b] = (b + 0.5) * BOXES_BIN_S;
+            values[b] = gyroVx(recording, b * BOXES_BIN_S, (b + 1) * BOXES_BIN_S);
+        }
+        return new Curve(middles, values);
+    }
+
+    private static RealExperiment cars(LabelledRecording recording) {
+        List<String> header = new ArrayList<>(List.of("", "with flow"));
+        SIGHTINGS.forEach(sighting -> header.add(sighting.title()));
+        List<List<String>> rows = new ArrayList<>();
+        List<Goal.Check> checks = new ArrayList<>();
+        List<Plot> plots = new ArrayList<>();
+        for (ComparedMethod method : ComparedMethod.values()) {
+            if (!method.segmenting()) {
+                continue;
+            }
+            List<String> row = new ArrayList<>(List.of(method.title(),
+                number(1, 100 * recording.shareWithFlow(method)) + " %"));
+            Map<String, Integer> ids = new HashMap<>();
+            boolean oneSegmentEach = true;
+            for (Sighting sighting : SIGHTINGS) {
+                SegmentMotion nearest = nearest(segments(recording, method, sighting.timeS - CARS_HALF_WINDOW_S,
+                    sighting.timeS + CARS_HALF_WINDOW_S), sighting);
+                String found = "none";
+                boolean met = false;
+                if (nearest != null) {
+                    Integer before = ids.put(sighting.car, nearest.id);
+                    oneSegmentEach &= before == null || before == nearest.id;
+                    found = String.format(Locale.ROOT, "(%.0f, %.0f), %.0f %% off, segment %d", nearest.vx,
+                        nearest.vy, nearest.offPercent(sighting), nearest.id);
+                    met = nearest.offPercent(sighting) <= 10;
+                }
+                row.add(found);
+                if (method == ComparedMethod.SOFAS_DEFAULT) {
+                    checks.add(new Goal.Check("car " + sighting.title(), "within 10 %", found, met));
+                }
+            }
+            if (method == ComparedMethod.SOFAS_DEFAULT) {
+                boolean apart = ids.values().stream().distinct().count() == 3;
+                checks.add(new Goal.Check("segments", "one each", apart && oneSegmentEach ? "one each" : "not one each",
+                    apart && oneSegmentEach));
+            }
+            rows.add(row);
+            plots.add(segmentsPlot(recording, method));
+        }
+        return new RealExperiment(CARS.fileName, "A road with three cars before a static DAVIS346. What the segment "
+            + "nearest to each car's velocity has, in windows of 0.1 s. The other methods find no segments. Below, the "
+            + "velocity to the right of the segments with the most events.", header, rows, checks, plots);
+    }
+
+    private static List<SegmentMotion> segments(LabelledRecording recording, ComparedMethod method, double fromS,
+                                                double untilS) {
+        FlowEstimate estimate = recording.by(method);
+        List<SegmentMotion> segments = new ArrayList<>();
+        counts(recording, method, fromS, untilS).forEach((id, events) -> {
+            if (events >= CAR_FEWEST_EVENTS) {
+                IntPredicate own = i -> estimate.segment(i) == id;
+                segments.add(new SegmentMotion(id, recording.medianVx(method, fromS, untilS, own),
+                    recording.medianVy(method, fromS, untilS, own)));
+            }
+        });
+        return segments;
+    }
+
+    private static Map<Integer, Integer> counts(LabelledRecording recording, ComparedMethod method, double fromS,
+                                                double untilS) {
+        FlowEstimate estimate = recording.by(method);
+        Map<Integer, Integer> counts = new HashMap<>();
+        for (int i = recording.firstAt(fromS); i < recording.size() && recording.timeS(i) < untilS; i++) {
+            if (estimate.hasFlow(i)) {
+                counts.merge(estimate.segment(i), 1, Integer::sum);
+            }
+        }
+        return counts;
+    }
+
+    private static SegmentMotion nearest(List<SegmentMotion> segments, Sighting sighting) {
+        SegmentMotion nearest = null;
+        for (SegmentMotion segment : segments) {
+            if (nearest == null || segment.offPercent(sighting) < nearest.offPercent(sighting)) {
+                nearest = segment;
+            }
+        }
+        return nearest;
+    }
+
+    private static Plot segmentsPlot(LabelledRecording recording, ComparedMethod method) {
+        FlowEstimate estimate = recording.by(method);
+        List<Plot.Line> lines = new ArrayList<>();
+        counts(recording, method, 0, Double.POSITIVE_INFINITY).entrySet().stream()
+            .sorted(Map.Entry.<Integer, Integer>comparingByValue().reversed()).limit(CAR_SEGMENTS)
+            .sorted(Map.Entry.comparingByKey())
+            .forEach(entry -> lines.add(new Plot.Line("segment " + entry.getKey(), Plot.Ink.BY_PLACE,
+                recording.medianVxCurve(method, CARS_BIN_S, i -> estimate.segment(i) == entry.getKey()))));
+        return new Plot("cars-" + method.id(), method.title(), TIME, VX, lines);
+    }
+
+    private static RealExperiment stripes(LabelledRecording recording) {
+        List<String> header = new ArrayList<>(List.of("", "with flow"));
+        List<List<String>> rows = new ArrayList<>();
+        List<Goal.Check> checks = new ArrayList<>();
+        List<Plot.Line> lines = new ArrayList<>();
+        List<String> known = new ArrayList<>(List.of("known", ""));
+        for (boolean upper : new boolean[] {true, false}) {
+            for (double timeS : STRIPES_TIMES_S) {
+                header.add((upper ? "upper, " : "lower, ") + number(1, timeS) + " s");
+                known.add(number(0, stripesVx(upper, timeS, recording.durationS())));
+            }
+        }
+        rows.add(known);
+        for (ComparedMethod method : ComparedMethod.values()) {
+            List<String> row = new ArrayList<>(List.of(method.title(),
+                number(1, 100 * recording.shareWithFlow(method)) + " %"));
+            for (boolean upper : new boolean[] {true, false}) {
+                IntPredicate picks = i -> upper ? recording.y(i) < UPPER_ROWS_END : recording.y(i) >= LOWER_ROWS_START;
+                for (double timeS : STRIPES_TIMES_S) {
+                    double vx = recording.medianVx(method, timeS - 0.05, timeS + 0.05, picks);
+                    double truth = stripesVx(upper, timeS, recording.durationS());
+                    row.add(number(0, vx));
+                    if (method == ComparedMethod.SOFAS_DEFAULT) {
+                        checks.add(new Goal.Check((upper ? "upper" : "lower") + " row at " + number(1, timeS) + " s",
+                            "within 10 % of " + number(0, truth), number(0, vx) + " px/s",
+                            Math.abs(vx - truth) <= 0.1 * Math.abs(truth)));
+                    }
+                }
+                lines.add(new Plot.Line(method.title() + (upper ? ", upper" : ", lower"), Plot.Ink.of(method),
+                    recording.medianVxCurve(method, 0.05, picks)));
+            }
+            rows.add(row);
+        }
+        double end = recording.durationS();
+        for (boolean upper : new boolean[] {true, false}) {
+            lines.add(new Plot.Line("known, " + (upper ? "upper" : "lower"), Plot.Ink.TRUTH, new double[] {0, end},
+                new double[] {stripesVx(upper, 0, end), stripesVx(upper, end, end)}));
+        }
+        return new RealExperiment(STRIPES.fileName, "Two rows of stripes moving to the left at two falling speeds "
+            + "before a DVS128: -97 to -80 px/s above, -181 to -140 px/s below, taken as falling evenly. The velocity "
+            + "along the stripes is undefined.", header, rows, checks,
+            List.of(new Plot("stripes", "Velocity to the right of both rows", TIME, VX, lines)));
+    }
+
+    private static double stripesVx(boolean upper, double timeS, double durationS) {
+        double gone = timeS / durationS;
+        return upper ? -97 + 17 * gone : -181 + 41 * gone;
+    }
+
+    private static RealExperiment pendulumBall(LabelledRecording recording) {
+        List<List<String>> rows = new ArrayList<>();
+        List<Plot> plots = new ArrayList<>();
+        for (ComparedMethod method : ComparedMethod.values()) {
+            rows.add(List.of(method.title(), number(1, 100 * recording.shareWithFlow(method)) + " %"));
+            plots.add(new Plot("pendulum-ball-" + method.id(), method.title(), TIME, VX,
+                List.of(new Plot.Line(method.title(), Plot.Ink.of(method),
+                    recording.medianVxCurve(method, 0.1, ALL)))));
+        }
+        return new RealExperiment(PENDULUM_BALL.fileName, "A ball on a pendulum before a static, noisy background, "
+            + "seen by a DVS128. Its true velocity is not known; it should look like a sine that dies away slowly.",
+            List.of("", "with flow"), rows, List.of(), plots);
+    }
+
+    private static RealExperiment square(LabelledRecording recording) {
+        List<List<String>> rows = new ArrayList<>();
+        List<Goal.Check> checks = new ArrayList<>();
+        for (ComparedMethod method : ComparedMethod.values()) {
+            double vx = recording.medianVx(method, 0, Double.POSITIVE_INFINITY, ALL);
+            double vy = recording.medianVy(method, 0, Double.POSITIVE_INFINITY, ALL);
+            double off = 100 * Math.hypot(vx - 20, vy + 20) / Math.hypot(20, 20);
+            rows.add(List.of(method.title(), number(1, 100 * recording.shareWithFlow(method)) + " %", number(2, vx),
+                number(2, vy), number(1, off) + " %"));
+            if (method == ComparedMethod.SOFAS_DEFAULT) {
+                checks.add(new Goal.Check("velocity", "within 1 % of (20, -20)",
+                    String.format(Locale.ROOT, "(%.2f, %.2f) px/s", vx, vy), off <= 1));
+            }
+        }
+        return new RealExperiment(SQUARE.fileName, "The outline of a square that a program moves by exactly (20, -20) "
+            + "px/s. Medians over all events with flow.", List.of("", "with flow", "to the right, px/s",
+                "downwards, px/s", "off"), rows, checks, List.of());
+    }
+
+    private static String number(int decimals, double value) {
+        return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, "%." + decimals + "f", value);
+    }
+}
