@@ -192,6 +192,26 @@ final class Contour {
         radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));
     }
 
+    /** Shows the occupied cells that would put an event of either polarity on the contour, carried on to a time. */
+    void show(long nowUs, PixelConsumer pixels) {
+        long dt = nowUs - motion.referenceUs;
+        int travelX = Projection.travelled(fixedVx, dt) - MARGIN;
+        int travelY = Projection.travelled(fixedVy, dt) - MARGIN;
+        double turn = motion.omega * dt * 1e-6;
+        for (int cy = minY; cy <= maxY; cy++) {
+            for (int cx = minX; cx <= maxX; cx++) {
+                int c = cy * width + cx;
+                if (grid[c] != 0 && Math.max(supportAt(c, 1), supportAt(c, -1)) >= threshold) {
+                    int x = cx + travelX - (int) Math.rint(turn * (cy - MARGIN - motion.centreY));
+                    int y = cy + travelY + (int) Math.rint(turn * (cx - MARGIN - motion.centreX));
+                    if (x >= 0 && x < width - 2 * MARGIN && y >= 0 && y < height - 2 * MARGIN) {
+                        pixels.accept(x, y);
+                    }
+                }
+            }
+        }
+    }
+
     /** Side of the box at the reference time, in px; a column of the sensor, which it may leave by the margin. */
     int left() {
         return minX + 1 - MARGIN;

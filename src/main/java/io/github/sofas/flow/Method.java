@@ -26,6 +26,9 @@ interface Method {
     /** The metrics of the flow plane. */
     MetricArray metricArray();
 
+    /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
+    void contour(int id, long nowUs, PixelConsumer pixels);
+
     /** Forgets all. */
     void reset();
 }

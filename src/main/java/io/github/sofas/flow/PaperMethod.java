@@ -140,6 +140,15 @@ final class PaperMethod implements Method {
     }
 
     @Override
+    public void contour(int id, long nowUs, PixelConsumer pixels) {
+        for (int i = 0; i < stack.size(); i++) {
+            if (stack.get(i).id == id) {
+                stack.get(i).contour(nowUs, sensor, pixels);
+            }
+        }
+    }
+
+    @Override
     public void reset() {
         endAll();
         flowPlane.reset();

@@ -1,5 +1,6 @@
 package io.github.sofas.flow;
 
+import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
@@ -385,6 +386,19 @@ final class PaperTrackPlane {
         empty();
         head = 0;
         tail = 0;
+    }
+
+    /** Shows the cells of the central projection that live events occupy, carried on to a time. */
+    void contour(long nowUs, SensorSize sensor, PixelConsumer pixels) {
+        int travelX = Projection.travelled(fixedVx[CENTRE], nowUs - referenceUs);
+        int travelY = Projection.travelled(fixedVy[CENTRE], nowUs - referenceUs);
+        for (int i = tail; i < head; i++) {
+            int shownX = x[i] - Projection.travelled(fixedVx[CENTRE], time[i] - referenceUs) + travelX;
+            int shownY = y[i] - Projection.travelled(fixedVy[CENTRE], time[i] - referenceUs) + travelY;
+            if (sensor.contains(shownX, shownY)) {
+                pixels.accept(shownX, shownY);
+            }
+        }
     }
 
     /** Live events. */

@@ -90,6 +90,11 @@ final class RefinedMethod implements Method {
     }
 
     @Override
+    public void contour(int id, long nowUs, PixelConsumer pixels) {
+        stack.contour(id, nowUs, pixels);
+    }
+
+    @Override
     public void reset() {
         lone.reset();
         busy.reset();

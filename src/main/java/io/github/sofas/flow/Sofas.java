@@ -159,6 +159,18 @@ public final class Sofas implements EventLabeller {
         return method.metricArray();
     }
 
+    /**
+     * Shows where the contour of a segment is at the newest event: the pixels on which its track plane expects its
+     * events. Only looks: results do not depend on it, and it allocates nothing.
+     *
+     * @param id of one of {@link #segments}; any other has no pixels
+     * @param pixels gets each pixel on the sensor, in no particular order, some more than once; it must not call the
+     *     engine
+     */
+    public void contour(int id, PixelConsumer pixels) {
+        method.contour(id, newestUs, pixels);
+    }
+
     /** How many events lay outside the sensor since the start or the last reset. */
     public long eventsOutside() {
         return outside;

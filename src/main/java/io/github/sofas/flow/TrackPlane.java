@@ -433,6 +433,11 @@ final class TrackPlane {
         live.clear();
     }
 
+    /** Shows the contour as it is at a time. */
+    void contour(long nowUs, PixelConsumer pixels) {
+        contour.show(nowUs, pixels);
+    }
+
     /** What is known of the structure. */
     Segment segment(int sensorWidth, int sensorHeight, Segment.Fate fate, int mergedInto) {
         return new Segment(id, firstUs, lastUs, events, motion.vxAt((int) motion.centreY, motion.referenceUs),

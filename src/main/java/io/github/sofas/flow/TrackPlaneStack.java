@@ -148,6 +148,14 @@ final class TrackPlaneStack {
         unused.clear();
     }
 
+    void contour(int id, long nowUs, PixelConsumer pixels) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i].id() == id) {
+                planes[i].contour(nowUs, pixels);
+            }
+        }
+    }
+
     void reset() {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
@@ -119,6 +120,75 @@ public class SofasTest {
             second.join();
             assertEquals(alone, both[0]);
             assertEquals(otherAlone, both[1]);
+        }
+    }
+
+    @Test
+    public void contourLiesWhereTheStructureIsNow() {
+        // enters column 20 + i at 10,000 i µs: column 69 with the last event
+        List<Event> edge = Streams.edge(20, 50, 40, 0, 10_000);
+        Sofas sofas = new Sofas(SENSOR, SofasParameters.defaults());
+        Set<Integer> rows = new HashSet<>();
+        for (Segment segment : run(sofas, new ArrayList<>(), edge, 100).living) {
+            sofas.contour(segment.id(), (x, y) -> {
+                assertEquals(69, x, 1);
+                assertTrue("row " + y, y >= 0 && y < 41);
+                rows.add(y);
+            });
+        }
+        assertTrue("rows " + rows.size(), rows.size() >= 38);
+    }
+
+    @Test
+    public void contourLiesInTheBoxOfItsSegment() {
+        for (SofasParameters p : PRESETS) {
+            Sofas sofas = new Sofas(SENSOR, p);
+            List<Segment> living = run(sofas, new ArrayList<>(), FILM.subList(0, 9_000), 500).living;
+            for (Segment segment : living) {
+                List<Integer> columns = new ArrayList<>();
+                sofas.contour(segment.id(), (x, y) -> {
+                    String where = p.preset() + " (" + x + ", " + y + ") " + segment;
+                    // a segment's box is that of its last event, a few pixels of travel ago
+                    assertTrue(where, x >= segment.minX() - 3 && x <= segment.maxX() + 3);
+                    assertTrue(where, y >= segment.minY() - 3 && y <= segment.maxY() + 3);
+                    columns.add(x);
+                });
+                assertTrue(p.preset() + " " + segment, columns.size() > 20);
+            }
+        }
+    }
+
+    @Test
+    public void lookingAtContoursChangesNothing() {
+        for (SofasParameters p : PRESETS) {
+            List<Segment> ended = new ArrayList<>();
+            Sofas looked = new Sofas(SENSOR, p, ended::add);
+            FlowOutput output = new FlowOutput(100);
+            List<Integer> segment = new ArrayList<>();
+            for (int i = 0; i < FILM.size(); i += 100) {
+                looked.process(Streams.batch(FILM.subList(i, i + 100)), output);
+                for (int k = 0; k < 100; k++) {
+                    segment.add(output.segment[k]);
+                }
+                looked.segments().forEach(each -> looked.contour(each.id(), (x, y) ->
+                    assertTrue(SENSOR.contains(x, y))));
+            }
+            Result unseen = runAnew(p, FILM, 100);
+            assertEquals(unseen.segment, segment);
+            assertEquals(unseen.living, looked.segments());
+        }
+    }
+
+    @Test
+    public void onlyLivingSegmentsHaveContours() {
+        for (SofasParameters p : PRESETS) {
+            Sofas sofas = new Sofas(SENSOR, p);
+            run(sofas, new ArrayList<>(), FILM, 100);
+            sofas.contour(0, (x, y) -> fail("no segment has id 0"));
+            sofas.contour(1_000_000, (x, y) -> fail("no segment has this id"));
+            int living = sofas.segments().get(0).id();
+            sofas.reset();
+            sofas.contour(living, (x, y) -> fail("no segment lives after a reset"));
         }
     }
 
