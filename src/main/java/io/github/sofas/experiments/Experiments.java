@@ -3,6 +3,7 @@ package io.github.sofas.experiments;
 import io.github.sofas.evaluate.Evaluation;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.simulate.SimulatedRecording;
+import io.github.sofas.simulate.SimulationOptions;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -88,9 +89,10 @@ public final class Experiments {
             throws InterruptedException {
         Map<Setting, Future<SimulatedRecording>> filming = new LinkedHashMap<>();
         for (Setting setting : Setting.ALL) {
-            long durationUs = Math.min(longestUs, setting.scene().durationUs(setting.options()));
-            filming.put(setting, workers.submit(() ->
-                SimulatedRecording.of(setting.scene(), setting.options().withDurationUs(durationUs))));
+            // a film that is not cut is the one that ./sofas simulate makes, to the last event
+            SimulationOptions options = setting.scene().durationUs(setting.options()) <= longestUs
+                ? setting.options() : setting.options().withDurationUs(longestUs);
+            filming.put(setting, workers.submit(() -> SimulatedRecording.of(setting.scene(), options)));
         }
         Map<Setting, SimulatedRecording> films = new LinkedHashMap<>();
         for (Map.Entry<Setting, Future<SimulatedRecording>> film : filming.entrySet()) {
