@@ -209,7 +209,7 @@ final class ExperimentReport {
         List<DomContent> rows = new ArrayList<>();
         byScene.forEach((scene, checks) -> rows.addAll(goalRows(scene, checks)));
         return div(table(thead(tr(th("scene").withClass("name"), th("figure").withClass("name"), th("goal"),
-            th("reached"), th())), tbody(each(rows, row -> row)))).withClass("scroll");
+            th("reached"), th())), tbody(each(rows, row -> row))).withClass("goals")).withClass("scroll");
     }
 
     private static List<DomContent> goalRows(String scene, List<Goal.Check> checks) {
@@ -421,8 +421,9 @@ final class ExperimentReport {
         return "data:image/png;base64," + Base64.getEncoder().encodeToString(png);
     }
 
-    /** Formats; what rounds to zero has no sign. */
+    /** Formats; what rounds to zero has no sign, and % stays with its number. */
     private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values).replaceAll("-(0(\\.0+)?)(?![.\\d])", "$1");
+        return String.format(Locale.ROOT, pattern, values).replaceAll("-(0(\\.0+)?)(?![.\\d])", "$1")
+            .replace(" %", "\u00A0%");
     }
 }

@@ -5,10 +5,14 @@ import io.github.sofas.event.EventSourceException;
 import io.github.sofas.recording.ImuSample;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.IntPredicate;
 
 /**
@@ -73,6 +77,7 @@ enum RealExperiments {
         new Sighting("C", 1.65, -75, 32));
 
     private static final double[] STRIPES_TIMES_S = {0.3, 0.6, 0.9};
+    private static final double STRIPES_BIN_S = 0.05;
     private static final int UPPER_ROWS_END = 64;
     private static final int LOWER_ROWS_START = 73;
 
@@ -85,7 +90,7 @@ enum RealExperiments {
     /** A car at a time, and its velocity. */
     private record Sighting(String car, double timeS, double vx, double vy) {
         String title() {
-            return String.format(Locale.ROOT, "%s at %.2f s (%.0f, %.0f)", car, timeS, vx, vy);
+            return String.format(Locale.ROOT, "%s at %.2f s: (%.0f, %.0f)", car, timeS, vx, vy);
         }
     }
 
@@ -93,6 +98,11 @@ enum RealExperiments {
     private record SegmentMotion(int id, double vx, double vy) {
         double offPercent(Sighting sighting) {
             return 100 * Math.hypot(vx - sighting.vx, vy - sighting.vy) / Math.hypot(sighting.vx, sighting.vy);
+        }
+
+        String against(Sighting sighting) {
+            return String.format(Locale.ROOT, "(%.0f, %.0f), %.0f %% off, segment %d", vx, vy, offPercent(sighting),
+                id);
         }
     }
 
@@ -118,7 +128,7 @@ enum RealExperiments {
         List<Goal.Check> checks = new ArrayList<>();
         for (ComparedMethod method : ComparedMethod.values()) {
             double share = 100 * recording.shareWithFlow(method);
-            List<String> row = new ArrayList<>(List.of(method.title(), number(1, share) + " %"));
+            List<String> row = new ArrayList<>(List.of(method.title(), percent(1, share)));
             double squares = 0;
             for (int i = 0; i < truth.length; i++) {
                 double vx = recording.medianVx(method, BOXES_TIMES_S[i], BOXES_TIMES_S[i] + BOXES_WINDOW_S, ALL);
@@ -133,7 +143,7 @@ enum RealExperiments {
             row.add(number(1, Math.sqrt(squares / truth.length)) + " px/s");
             rows.add(row);
             if (method == ComparedMethod.SOFAS_DEFAULT) {
-                checks.add(new Goal.Check("events with flow", "≥ 80 %", number(1, share) + " %", share >= 80));
+                checks.add(new Goal.Check("events with flow", "≥ 80 %", percent(1, share), share >= 80));
             }
         }
         List<Plot.Line> lines = new ArrayList<>();
@@ -173,47 +183,41 @@ enum RealExperiments {
     }
 
     private static RealExperiment cars(LabelledRecording recording) {
-        List<String> header = new ArrayList<>(List.of("", "with flow"));
-        SIGHTINGS.forEach(sighting -> header.add(sighting.title()));
-        List<List<String>> rows = new ArrayList<>();
+        List<ComparedMethod> methods = List.of(ComparedMethod.SOFAS_DEFAULT, ComparedMethod.SOFAS_PAPER);
+        List<String> header = new ArrayList<>(List.of("car, velocity"));
+        List<String> shares = new ArrayList<>(List.of("with flow"));
+        for (ComparedMethod method : methods) {
+            header.add(method.title());
+            shares.add(percent(1, 100 * recording.shareWithFlow(method)));
+        }
+        List<List<String>> rows = new ArrayList<>(List.of(shares));
         List<Goal.Check> checks = new ArrayList<>();
-        List<Plot> plots = new ArrayList<>();
-        for (ComparedMethod method : ComparedMethod.values()) {
-            if (!method.segmenting()) {
-                continue;
-            }
-            List<String> row = new ArrayList<>(List.of(method.title(),
-                number(1, 100 * recording.shareWithFlow(method)) + " %"));
-            Map<String, Integer> ids = new HashMap<>();
-            boolean oneSegmentEach = true;
-            for (Sighting sighting : SIGHTINGS) {
+        Map<String, Set<Integer>> idsByCar = new HashMap<>();
+        for (Sighting sighting : SIGHTINGS) {
+            List<String> row = new ArrayList<>(List.of(sighting.title()));
+            for (ComparedMethod method : methods) {
                 SegmentMotion nearest = nearest(segments(recording, method, sighting.timeS - CARS_HALF_WINDOW_S,
                     sighting.timeS + CARS_HALF_WINDOW_S), sighting);
-                String found = "none";
-                boolean met = false;
-                if (nearest != null) {
-                    Integer before = ids.put(sighting.car, nearest.id);
-                    oneSegmentEach &= before == null || before == nearest.id;
-                    found = String.format(Locale.ROOT, "(%.0f, %.0f), %.0f %% off, segment %d", nearest.vx,
-                        nearest.vy, nearest.offPercent(sighting), nearest.id);
-                    met = nearest.offPercent(sighting) <= 10;
-                }
+                String found = nearest == null ? "none" : nearest.against(sighting);
                 row.add(found);
                 if (method == ComparedMethod.SOFAS_DEFAULT) {
-                    checks.add(new Goal.Check("car " + sighting.title(), "within 10 %", found, met));
+                    checks.add(new Goal.Check("car " + sighting.title(), "within 10 %", found,
+                        nearest != null && nearest.offPercent(sighting) <= 10));
+                    idsByCar.computeIfAbsent(sighting.car, car -> new HashSet<>())
+                        .add(nearest == null ? 0 : nearest.id);
                 }
             }
-            if (method == ComparedMethod.SOFAS_DEFAULT) {
-                boolean apart = ids.values().stream().distinct().count() == 3;
-                checks.add(new Goal.Check("segments", "one each", apart && oneSegmentEach ? "one each" : "not one each",
-                    apart && oneSegmentEach));
-            }
             rows.add(row);
-            plots.add(segmentsPlot(recording, method));
         }
-        return new RealExperiment(CARS.fileName, "A road with three cars before a static DAVIS346. What the segment "
-            + "nearest to each car's velocity has, in windows of 0.1 s. The other methods find no segments. Below, the "
-            + "velocity to the right of the segments with the most events.", header, rows, checks, plots);
+        Set<Integer> ids = new HashSet<>();
+        idsByCar.values().forEach(ids::addAll);
+        boolean oneEach = ids.size() == idsByCar.size()
+            && idsByCar.values().stream().allMatch(ofCar -> ofCar.size() == 1);
+        checks.add(new Goal.Check("segments of the cars", "one each", oneEach ? "one each" : "not one each", oneEach));
+        return new RealExperiment(CARS.fileName, "A road with three cars before a static DAVIS346. Velocities of the "
+            + "segment nearest to each car's, in windows of 0.1 s. Below, the velocity to the right of the segments "
+            + "with the most events. The other methods find no segments.", header, rows, checks,
+            methods.stream().map(method -> segmentsPlot(recording, method)).toList());
     }
 
     private static List<SegmentMotion> segments(LabelledRecording recording, ComparedMethod method, double fromS,
@@ -265,46 +269,43 @@ enum RealExperiments {
 
     private static RealExperiment stripes(LabelledRecording recording) {
         List<String> header = new ArrayList<>(List.of("", "with flow"));
-        List<List<String>> rows = new ArrayList<>();
-        List<Goal.Check> checks = new ArrayList<>();
-        List<Plot.Line> lines = new ArrayList<>();
         List<String> known = new ArrayList<>(List.of("known", ""));
-        for (boolean upper : new boolean[] {true, false}) {
-            for (double timeS : STRIPES_TIMES_S) {
-                header.add((upper ? "upper, " : "lower, ") + number(1, timeS) + " s");
-                known.add(number(0, stripesVx(upper, timeS, recording.durationS())));
-            }
-        }
-        rows.add(known);
+        Map<ComparedMethod, List<String>> rowByMethod = new EnumMap<>(ComparedMethod.class);
         for (ComparedMethod method : ComparedMethod.values()) {
-            List<String> row = new ArrayList<>(List.of(method.title(),
-                number(1, 100 * recording.shareWithFlow(method)) + " %"));
-            for (boolean upper : new boolean[] {true, false}) {
-                IntPredicate picks = i -> upper ? recording.y(i) < UPPER_ROWS_END : recording.y(i) >= LOWER_ROWS_START;
-                for (double timeS : STRIPES_TIMES_S) {
-                    double vx = recording.medianVx(method, timeS - 0.05, timeS + 0.05, picks);
-                    double truth = stripesVx(upper, timeS, recording.durationS());
-                    row.add(number(0, vx));
-                    if (method == ComparedMethod.SOFAS_DEFAULT) {
-                        checks.add(new Goal.Check((upper ? "upper" : "lower") + " row at " + number(1, timeS) + " s",
-                            "within 10 % of " + number(0, truth), number(0, vx) + " px/s",
-                            Math.abs(vx - truth) <= 0.1 * Math.abs(truth)));
-                    }
-                }
-                lines.add(new Plot.Line(method.title() + (upper ? ", upper" : ", lower"), Plot.Ink.of(method),
-                    recording.medianVxCurve(method, 0.05, picks)));
-            }
-            rows.add(row);
+            rowByMethod.put(method, new ArrayList<>(List.of(method.title(),
+                percent(1, 100 * recording.shareWithFlow(method)))));
         }
-        double end = recording.durationS();
+        List<Goal.Check> checks = new ArrayList<>();
+        List<Plot> plots = new ArrayList<>();
         for (boolean upper : new boolean[] {true, false}) {
-            lines.add(new Plot.Line("known, " + (upper ? "upper" : "lower"), Plot.Ink.TRUTH, new double[] {0, end},
-                new double[] {stripesVx(upper, 0, end), stripesVx(upper, end, end)}));
+            String row = upper ? "upper" : "lower";
+            IntPredicate picks = i -> upper ? recording.y(i) < UPPER_ROWS_END : recording.y(i) >= LOWER_ROWS_START;
+            for (double timeS : STRIPES_TIMES_S) {
+                double truth = stripesVx(upper, timeS, recording.durationS());
+                header.add(row + ", " + number(1, timeS) + " s");
+                known.add(number(0, truth));
+                rowByMethod.forEach((method, cells) ->
+                    cells.add(number(0, recording.medianVx(method, timeS - 0.05, timeS + 0.05, picks))));
+                double ours = recording.medianVx(ComparedMethod.SOFAS_DEFAULT, timeS - 0.05, timeS + 0.05, picks);
+                checks.add(new Goal.Check(row + " row at " + number(1, timeS) + " s",
+                    "within 10 % of " + number(0, truth), number(0, ours) + " px/s",
+                    Math.abs(ours - truth) <= 0.1 * Math.abs(truth)));
+            }
+            List<Plot.Line> lines = new ArrayList<>();
+            for (ComparedMethod method : ComparedMethod.values()) {
+                lines.add(new Plot.Line(method.title(), Plot.Ink.of(method),
+                    recording.medianVxCurve(method, STRIPES_BIN_S, picks)));
+            }
+            double[] timesS = lines.get(0).x();
+            lines.add(new Plot.Line("known", Plot.Ink.TRUTH, timesS, Arrays.stream(timesS)
+                .map(timeS -> stripesVx(upper, timeS, recording.durationS())).toArray()));
+            plots.add(new Plot("stripes-" + row, upper ? "Upper row" : "Lower row", TIME, VX, lines));
         }
+        List<List<String>> rows = new ArrayList<>(List.of(known));
+        rows.addAll(rowByMethod.values());
         return new RealExperiment(STRIPES.fileName, "Two rows of stripes moving to the left at two falling speeds "
             + "before a DVS128: -97 to -80 px/s above, -181 to -140 px/s below, taken as falling evenly. The velocity "
-            + "along the stripes is undefined.", header, rows, checks,
-            List.of(new Plot("stripes", "Velocity to the right of both rows", TIME, VX, lines)));
+            + "along the stripes is undefined.", header, rows, checks, plots);
     }
 
     private static double stripesVx(boolean upper, double timeS, double durationS) {
@@ -316,13 +317,13 @@ enum RealExperiments {
         List<List<String>> rows = new ArrayList<>();
         List<Plot> plots = new ArrayList<>();
         for (ComparedMethod method : ComparedMethod.values()) {
-            rows.add(List.of(method.title(), number(1, 100 * recording.shareWithFlow(method)) + " %"));
+            rows.add(List.of(method.title(), percent(1, 100 * recording.shareWithFlow(method))));
             plots.add(new Plot("pendulum-ball-" + method.id(), method.title(), TIME, VX,
                 List.of(new Plot.Line(method.title(), Plot.Ink.of(method),
                     recording.medianVxCurve(method, 0.1, ALL)))));
         }
         return new RealExperiment(PENDULUM_BALL.fileName, "A ball on a pendulum before a static, noisy background, "
-            + "seen by a DVS128. Its true velocity is not known; it should look like a sine that dies away slowly.",
+            + "seen by a DVS128. Its true velocity is not known; it should look like a sine.",
             List.of("", "with flow"), rows, List.of(), plots);
     }
 
@@ -333,8 +334,8 @@ enum RealExperiments {
             double vx = recording.medianVx(method, 0, Double.POSITIVE_INFINITY, ALL);
             double vy = recording.medianVy(method, 0, Double.POSITIVE_INFINITY, ALL);
             double off = 100 * Math.hypot(vx - 20, vy + 20) / Math.hypot(20, 20);
-            rows.add(List.of(method.title(), number(1, 100 * recording.shareWithFlow(method)) + " %", number(2, vx),
-                number(2, vy), number(1, off) + " %"));
+            rows.add(List.of(method.title(), percent(1, 100 * recording.shareWithFlow(method)), number(2, vx),
+                number(2, vy), percent(1, off)));
             if (method == ComparedMethod.SOFAS_DEFAULT) {
                 checks.add(new Goal.Check("velocity", "within 1 % of (20, -20)",
                     String.format(Locale.ROOT, "(%.2f, %.2f) px/s", vx, vy), off <= 1));
@@ -343,6 +344,10 @@ enum RealExperiments {
         return new RealExperiment(SQUARE.fileName, "The outline of a square that a program moves by exactly (20, -20) "
             + "px/s. Medians over all events with flow.", List.of("", "with flow", "to the right, px/s",
                 "downwards, px/s", "off"), rows, checks, List.of());
+    }
+
+    private static String percent(int decimals, double value) {
+        return Double.isNaN(value) ? "–" : number(decimals, value) + " %";
     }
 
     private static String number(int decimals, double value) {
