@@ -1,0 +1,30 @@
+package com.jogamp.opengl;
+
+/** Signatures of the class of that name in JOGL that the filter needs; never run, never shipped. */
+public interface GL2 extends GL {
+    int GL_CURRENT_BIT = 0x1;
+    int GL_POINT_BIT = 0x2;
+    int GL_LINE_BIT = 0x4;
+    int GL_QUADS = 0x7;
+    int GL_ENABLE_BIT = 0x2000;
+
+    void glBegin(int mode);
+
+    void glColor4f(float red, float green, float blue, float alpha);
+
+    void glEnd();
+
+    void glPointSize(float size);
+
+    void glPopAttrib();
+
+    void glPopMatrix();
+
+    void glPushAttrib(int mask);
+
+    void glPushMatrix();
+
+    void glRasterPos2f(float x, float y);
+
+    void glVertex2f(float x, float y);
+}

@@ -1,0 +1,14 @@
+package net.sf.jaer;
+
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+
+/** Signatures of the class of that name in jAER that the filter needs; never run, never shipped. */
+@Retention(RetentionPolicy.RUNTIME)
+public @interface DevelopmentStatus {
+    Status value();
+
+    enum Status {
+        Stable, Experimental, InDevelopment, Abstract
+    }
+}

@@ -1,0 +1,10 @@
+package net.sf.jaer.event;
+
+import java.util.Iterator;
+
+/** Signatures of the class of that name in jAER that the filter needs; never run, never shipped. */
+public class ApsDvsEventPacket<E extends ApsDvsEvent> extends EventPacket<E> {
+    public Iterator<E> fullIterator() {
+        throw new UnsupportedOperationException();
+    }
+}

@@ -1,0 +1,15 @@
+package net.sf.jaer.eventprocessing;
+
+import java.beans.PropertyChangeListener;
+import net.sf.jaer.chip.AEChip;
+import net.sf.jaer.event.BasicEvent;
+import net.sf.jaer.event.EventPacket;
+
+/** Signatures of the class of that name in jAER that the filter needs; never run, never shipped. */
+public abstract class EventFilter2D extends EventFilter implements PropertyChangeListener {
+    public EventFilter2D(AEChip chip) {
+        super(chip);
+    }
+
+    public abstract EventPacket<? extends BasicEvent> filterPacket(EventPacket<? extends BasicEvent> in);
+}

@@ -1,0 +1,6 @@
+package net.sf.jaer.graphics;
+
+/** As much of the class of that name in jAER as the tests of the filter need. */
+public class AEViewer {
+    public static final String EVENT_TIMESTAMPS_RESET = "timestampsReset";
+}

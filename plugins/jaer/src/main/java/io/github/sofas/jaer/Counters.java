@@ -1,0 +1,40 @@
+package io.github.sofas.jaer;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.FlowOutput;
+import java.util.Locale;
+
+/** What the filter did since its last reset. */
+final class Counters {
+    private long events;
+    private long withFlow;
+    private long readNs;
+    private long engineNs;
+
+    void add(EventBatch batch, FlowOutput flow, long packetReadNs, long packetEngineNs) {
+        events += batch.size();
+        for (int i = 0; i < batch.size(); i++) {
+            withFlow += flow.segment[i] == 0 ? 0 : 1;
+        }
+        readNs += packetReadNs;
+        engineNs += packetEngineNs;
+    }
+
+    void reset() {
+        events = 0;
+        withFlow = 0;
+        readNs = 0;
+        engineNs = 0;
+    }
+
+    long engineNs() {
+        return engineNs;
+    }
+
+    /** In one line. */
+    String text() {
+        return String.format(Locale.ROOT, "%,d events, %.1f %% with flow, %,.0f events/s labelled, %.1f %% on top for "
+            + "reading packets", events, 100.0 * withFlow / Math.max(1, events), events * 1e9 / Math.max(1, engineNs),
+            100.0 * readNs / Math.max(1, engineNs));
+    }
+}
