@@ -237,6 +237,7 @@ final class LiveCommand implements Callable<Integer> {
         try {
             outcome = run.run(() -> {
                 start.start();
+                status.started();
                 if (!quiet) {
                     err.println("[" + source.name() + "] " + source.formatName() + ", " + source.sensor()
                         + " px, labelling" + (durationS == null ? " until Ctrl-C" : ""));

@@ -21,9 +21,9 @@ final class LiveStatus {
 
     private final LiveSource source;
     private final PrintWriter err;
-    private final long startNs = System.nanoTime();
     private final Histogram latencyUs = new Histogram(LONGEST_US, DIGITS);
-    private long shownNs = startNs;
+    private long startNs;
+    private long shownNs;
     private long events;
     private long eventsWithFlow;
     /** Snapshot for the line that is due, by the thread that labels. */
@@ -33,6 +33,12 @@ final class LiveStatus {
     LiveStatus(LiveSource source, PrintWriter err) {
         this.source = source;
         this.err = err;
+    }
+
+    /** Notes that the source sends from now on. */
+    synchronized void started() {
+        startNs = System.nanoTime();
+        shownNs = startNs;
     }
 
     /**

@@ -26,6 +26,9 @@ public final class FakeTransport implements UsbTransport {
     /** Takes what the camera sends; null while no transfers are waiting. */
     public UsbConnection.Receiver receiver;
 
+    /** Done before each time that the camera sends. */
+    public Runnable beforeSending = () -> { };
+
     /** A DAVIS240C that is well. */
     public static FakeTransport davis240c() {
         return davis(CameraModel.DAVIS240C, 2, 240, 180);
@@ -67,6 +70,7 @@ public final class FakeTransport implements UsbTransport {
 
     /** The camera sends bytes. */
     public void send(byte... data) {
+        beforeSending.run();
         receiver.received(data, data.length);
     }
 

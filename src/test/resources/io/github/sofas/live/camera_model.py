@@ -62,6 +62,7 @@ class Camera(UMockdev.IoctlBase):
         self.last_data = 0.0
         self.transfers = 0
         self.most_behind = 0
+        self.all_sent = False
         self.waiting = []  # submitted bulk URBs
         self.done = []  # URBs that can be reaped
         self.gone = False
@@ -188,6 +189,9 @@ class Camera(UMockdev.IoctlBase):
         self.send()
         if self.done and self.in_a_row < MOST_IN_A_ROW:
             self.in_a_row += 1
+            if self.sent == self.total and not self.all_sent and self.transfers:
+                self.all_sent = True
+                self.note("all sent")
             client.get_arg().resolve(0, 8).set_ptr(0, self.done.pop(0))
             return (0, 0)
         self.in_a_row = 0
@@ -205,7 +209,7 @@ class Camera(UMockdev.IoctlBase):
         if self.running_since is None or self.halted or not self.waiting or self.done:
             return
         now = time.monotonic()
-        there = min(self.total, int((now - self.running_since) * self.rate) & ~1) - self.sent
+        there = min(self.total, int((now - self.running_since) * self.rate) & ~3) - self.sent
         length = self.waiting[0][2]
         if there <= 0 or there < length and now - self.last_data < EARLY_S:
             return
