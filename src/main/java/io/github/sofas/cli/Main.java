@@ -36,6 +36,7 @@ public final class Main {
         CommandLine commandLine = new CommandLine(sofas);
         ParameterOptions.addTo(commandLine.getSubcommands().get("run").getCommandSpec());
         ParameterOptions.addTo(commandLine.getSubcommands().get("live").getCommandSpec());
+        ParameterOptions.addTo(commandLine.getSubcommands().get("render").getCommandSpec());
         ParameterOptions.addTo(commandLine.getSubcommands().get("evaluate").getCommandSpec());
         ParameterOptions.addTo(commandLine.getSubcommands().get("bench").getCommandSpec());
         commandLine.setOut(out);

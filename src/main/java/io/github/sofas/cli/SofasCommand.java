@@ -14,7 +14,7 @@ import picocli.CommandLine.Spec;
 @Command(name = "sofas", mixinStandardHelpOptions = true, scope = ScopeType.INHERIT, versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
     description = "Optical flow and segment of every event of event-camera recordings.",
-    subcommands = {RunCommand.class, LiveCommand.class, InfoCommand.class, EvaluateCommand.class,
+    subcommands = {RunCommand.class, RenderCommand.class, LiveCommand.class, InfoCommand.class, EvaluateCommand.class,
         SimulateCommand.class, ExperimentsCommand.class, BenchCommand.class, HelpCommand.class,
         AutoComplete.GenerateCompletion.class})
 final class SofasCommand implements Runnable {

@@ -52,6 +52,11 @@ public final class ResultFiles implements AutoCloseable {
             StandardOpenOption.WRITE);
     }
 
+    /** Where a file that was started is until the commit, for writers that need more than a stream. */
+    public synchronized Path temporary(Path file) {
+        return temporaryByFinal.get(file);
+    }
+
     /**
      * Gives all files their names. A signal that arrives meanwhile waits until all have theirs.
      *

@@ -1,0 +1,252 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.ResultFiles;
+import io.github.sofas.render.FlowColours;
+import io.github.sofas.render.Panel;
+import io.github.sofas.render.PictureOptions;
+import io.github.sofas.render.Theme;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
+import picocli.CommandLine.Spec;
+
+/** Makes a film or pictures of a recording's events, flow and segments. */
+@Command(name = "render", sortOptions = false,
+    customSynopsis = "sofas render [OPTION]... --out DIR RECORDING",
+    description = {"Make a film or pictures of a recording's events, flow and segments.",
+        "Writes NAME.mp4, NAME.gif or NAME.png.zip; NAME is the recording's file name without its last extension. "
+        + "Labels the events itself, or takes the labels that 'run' wrote (--results)."},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {"0:written", "1:the recording failed; what was seen before is written", "2:wrong usage"})
+final class RenderCommand implements Callable<Integer> {
+    private static final Pattern EXPOSURE = Pattern.compile("(\\d+(?:\\.\\d+)?)(ms|ev)");
+
+    @Spec
+    private CommandSpec spec;
+
+    @ParentCommand
+    private SofasCommand sofas;
+
+    @Parameters(paramLabel = "RECORDING", description = "What is shown.")
+    private Path recording;
+
+    @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
+        description = "Where the film goes; made where it does not exist.")
+    private Path out;
+
+    @Option(names = "--results", paramLabel = "DIR",
+        description = "Folder of NAME.flow.csv, which 'run' wrote: the events are not labelled again.")
+    private Path results;
+
+    @Option(names = "--format", defaultValue = "MP4", paramLabel = "FORMAT",
+        description = "mp4, gif or png (a ZIP file of numbered pictures); default: mp4.")
+    private RenderRun.Format format;
+
+    @Option(names = {"-f", "--force"}, description = "Replace a film that exists; without it, it is an error.")
+    private boolean force;
+
+    @Option(names = {"-q", "--quiet"}, description = "Print no summary.")
+    private boolean quiet;
+
+    @ArgGroup(validate = false, heading = "%nWhat is shown:%n")
+    private final Shown shown = new Shown();
+
+    @ArgGroup(validate = false, heading = "%nWhen:%n")
+    private final Times times = new Times();
+
+    @Mixin
+    private ReadingOptions reading;
+
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Mixin
+    private ParameterOptions parameterOptions;
+
+    /** What is shown of the sensor. */
+    private static final class Shown {
+        @Option(names = "--panels", split = ",", paramLabel = "PANEL",
+            description = "Any of ${COMPLETION-CANDIDATES}, separated by commas; default: flow,segments.")
+        private List<Panel> panels = List.of(Panel.FLOW, Panel.SEGMENTS);
+
+        @Option(names = "--theme", defaultValue = "DARK", description = "${COMPLETION-CANDIDATES}; default: dark.")
+        private Theme theme;
+
+        @Option(names = "--wheel", defaultValue = "SAFE", description = "Colours of directions: safe (for colour-blind "
+            + "people too) or hue (as in most papers); default: safe.")
+        private FlowColours.Wheel wheel;
+
+        @Option(names = "--scale", paramLabel = "N", description = "Screen pixels a pixel of the sensor, 1 to 16; "
+            + "default: so that a panel is about 480 wide.")
+        private int scale;
+
+        @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Part of the sensor that is shown.")
+        private String crop;
+
+        @Option(names = "--full-speed", paramLabel = "PX/S", description = "Speed of the full colour and of the scale "
+            + "bar; default: follows what is seen.")
+        private double fullPxPerS;
+    }
+
+    /** When it is shown. */
+    private static final class Times {
+        @Option(names = "--fps", defaultValue = "30", description = "Pictures a second of film; default: 30.")
+        private double fps;
+
+        @Option(names = "--slow", defaultValue = "1", paramLabel = "FACTOR",
+            description = "Seconds of film a second of recording; 10 is ten times slower than life; default: 1.")
+        private double slow;
+
+        @Option(names = "--every", paramLabel = "EVENTS",
+            description = "A picture every so many events, in place of --slow.")
+        private long every;
+
+        @Option(names = "--exposure", paramLabel = "TIME", description = "How long an event is shown: such as 20ms, or "
+            + "5000ev for the last 5,000 events; default: 33ms, or the events of one picture with --every.")
+        private String exposure;
+
+        @Option(names = "--from", paramLabel = "SECONDS", description = "Where the film begins, from the first event.")
+        private double fromS;
+
+        @Option(names = "--to", paramLabel = "SECONDS", description = "Where it ends; default: with the recording.")
+        private double toS = Double.POSITIVE_INFINITY;
+
+        @Option(names = "--max-pictures", defaultValue = "36000", paramLabel = "N",
+            description = "Most pictures of a film; default: ${DEFAULT-VALUE}, 20 minutes at 30 fps.")
+        private long maxPictures;
+    }
+
+    @Override
+    public Integer call() {
+        PrintWriter err = spec.commandLine().getErr();
+        RenderRun run = check();
+        try (ResultFiles files = new ResultFiles()) {
+            RenderRun.Outcome outcome = run.run(files);
+            files.commit();
+            outcome.faults().forEach(err::println);
+            if (outcome.damage() != null) {
+                err.println(outcome.damage().getMessage());
+            }
+            if (outcome.stoppedEarly()) {
+                err.println("[" + recording.getFileName() + "] the film ends early: it has the "
+                    + times.maxPictures + " pictures of --max-pictures");
+            }
+            if (!quiet) {
+                err.println(String.format(Locale.ROOT, "%s: %,d pictures of %,d events, %.3f s of recording, in %.1f s",
+                    run.file(), outcome.pictures(), outcome.events(), outcome.recordingS(), outcome.wallS()));
+            }
+            return outcome.damage() == null ? Main.OK : Main.FAILED;
+        } catch (EventSourceException e) {
+            err.println(e.getMessage());
+        } catch (IOException e) {
+            err.println("[" + run.file() + "] cannot be written: " + e.getMessage());
+        }
+        return Main.FAILED;
+    }
+
+    private RenderRun check() {
+        positive("--fps", times.fps);
+        positive("--slow", times.slow);
+        if (times.fps > 240) {
+            throw usage("--fps must be at most 240 but was " + times.fps);
+        }
+        if (times.every < 0 || times.maxPictures < 1) {
+            throw usage("--every and --max-pictures must be above 0 but were " + times.every + " and "
+                + times.maxPictures);
+        }
+        if (!(times.fromS >= 0) || !(times.toS > times.fromS)) {
+            throw usage("--from must not be negative and --to must be later but they were " + times.fromS + " and "
+                + times.toS);
+        }
+        if (results != null && shown.panels.contains(Panel.CONTOURS)) {
+            throw usage("--panels contours needs the track planes themselves: leave --results out");
+        }
+        MethodChoice method = methodOptions.choice(parameterOptions);
+        if (!method.method().equals("sofas") && shown.panels.contains(Panel.CONTOURS)) {
+            throw usage("--panels contours is of --method sofas, not of " + method.method());
+        }
+        Map<String, Path> named;
+        PictureOptions pictures;
+        try {
+            named = RecordingArguments.byName(RecordingArguments.expand(List.of(recording.toString())), false);
+            pictures = pictures();
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+        if (named.size() > 1) {
+            throw usage("one recording is rendered at a time but \"" + recording + "\" is " + named.size());
+        }
+        String name = named.keySet().iterator().next();
+        Path film = out.resolve(name + format.ending);
+        if (!force && Files.exists(film)) {
+            throw usage("[" + film + "] exists already; --force replaces it");
+        }
+        Path flow = results == null ? null : RecordingRun.flowFile(results, name);
+        if (flow != null && !Files.isRegularFile(flow)) {
+            throw usage("[" + flow + "] no such file; 'sofas run' writes it");
+        }
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw usage("[" + out + "] cannot be made a directory: " + e);
+        }
+        RenderRun.Timing timing = new RenderRun.Timing(times.fps, 1e6 / (times.fps * times.slow), times.every,
+            times.fromS, times.toS, times.maxPictures);
+        return new RenderRun(named.get(name), reading.recordingOptions(), method, flow, film, format, pictures, timing);
+    }
+
+    private PictureOptions pictures() {
+        double exposureUs = times.every > 0 ? 0 : 33_333;
+        double exposureEvents = times.every;
+        if (times.exposure != null) {
+            Matcher matcher = EXPOSURE.matcher(times.exposure);
+            if (!matcher.matches()) {
+                throw new IllegalArgumentException("--exposure must be a time such as 20ms or a count such as 5000ev "
+                    + "but was \"" + times.exposure + "\"");
+            }
+            boolean isTime = matcher.group(2).equals("ms");
+            exposureUs = isTime ? Double.parseDouble(matcher.group(1)) * 1000 : 0;
+            exposureEvents = isTime ? 0 : Double.parseDouble(matcher.group(1));
+        }
+        return new PictureOptions(shown.panels, shown.theme, shown.wheel, shown.scale, (long) exposureUs,
+            (long) exposureEvents, shown.fullPxPerS, crop());
+    }
+
+    private PictureOptions.Crop crop() {
+        if (shown.crop == null) {
+            return null;
+        }
+        if (!shown.crop.matches("\\d{1,4},\\d{1,4},\\d{1,4},\\d{1,4}")) {
+            throw new IllegalArgumentException("--crop must be X,Y,W,H in px but was \"" + shown.crop + "\"");
+        }
+        String[] parts = shown.crop.split(",");
+        return new PictureOptions.Crop(Integer.parseInt(parts[0]), Integer.parseInt(parts[1]),
+            Integer.parseInt(parts[2]), Integer.parseInt(parts[3]));
+    }
+
+    private void positive(String option, double value) {
+        if (!(value > 0 && value < 1e6)) {
+            throw usage(option + " must be above 0 but was " + value);
+        }
+    }
+
+    private ParameterException usage(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

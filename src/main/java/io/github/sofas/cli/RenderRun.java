@@ -1,0 +1,253 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.export.FlowCsvReader;
+import io.github.sofas.export.ResultFiles;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Sofas;
+import io.github.sofas.recording.RecordingOptions;
+import io.github.sofas.recording.RecordingReader;
+import io.github.sofas.recording.Recordings;
+import io.github.sofas.render.Film;
+import io.github.sofas.render.GifFilm;
+import io.github.sofas.render.Mp4Film;
+import io.github.sofas.render.PictureOptions;
+import io.github.sofas.render.PictureSheet;
+import io.github.sofas.render.PngFilm;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * One recording from its first event to its film.
+ *
+ * @param recording what is shown
+ * @param options how it is read
+ * @param method labels the events
+ * @param flow labels that were written before; null where the method is to label
+ * @param file the film
+ * @param format of the film
+ * @param pictures what a picture shows
+ * @param timing when there is a picture
+ */
+record RenderRun(Path recording, RecordingOptions options, MethodChoice method, Path flow, Path file, Format format,
+                 PictureOptions pictures, Timing timing) {
+    private static final int BATCH = 4096;
+
+    /** What a film is. */
+    enum Format {
+        MP4(".mp4"), GIF(".gif"), PNG(".png.zip");
+
+        final String ending;
+
+        Format(String ending) {
+            this.ending = ending;
+        }
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /**
+     * When there is a picture.
+     *
+     * @param fps pictures a second of film
+     * @param stepUs time of the recording between two pictures, µs
+     * @param every events between two pictures; 0 where the time counts
+     * @param fromS beginning, s from the first event
+     * @param toS end, s from the first event
+     * @param maxPictures most pictures
+     */
+    record Timing(double fps, double stepUs, long every, double fromS, double toS, long maxPictures) {
+    }
+
+    /**
+     * What came of it.
+     *
+     * @param pictures how many
+     * @param events how many were read
+     * @param recordingS time of the recording from the first to the last of them
+     * @param wallS time that it took
+     * @param stoppedEarly whether the film had its most pictures before the recording ended
+     * @param faults what is wrong with the recording
+     * @param damage why the recording could not be read to its end; null where it was
+     */
+    record Outcome(long pictures, long events, double recordingS, double wallS, boolean stoppedEarly,
+                   List<String> faults, EventSourceException damage) {
+    }
+
+    /**
+     * Makes the film, under the name that the files have before they are committed.
+     *
+     * @throws EventSourceException where the recording cannot be opened or has no event
+     * @throws IOException where the film cannot be written
+     */
+    Outcome run(ResultFiles files) throws EventSourceException, IOException {
+        long start = System.nanoTime();
+        try (RecordingReader reader = Recordings.open(recording, options);
+                FlowCsvReader labelled = flow == null ? null : FlowCsvReader.open(flow);
+                Film film = film(files)) {
+            SensorSize sensor = reader.sensor();
+            PictureSheet sheet;
+            try {
+                sheet = new PictureSheet(sensor, pictures);
+            } catch (IllegalArgumentException e) {
+                throw new EventSourceException("[" + recording.getFileName() + "] " + e.getMessage(), e);
+            }
+            EventLabeller labeller = labelled == null ? method.make(sensor, ended -> { }) : null;
+            Shooting shooting = new Shooting(sheet, film, timing, labeller);
+            EventBatch batch = new EventBatch(BATCH);
+            FlowOutput labels = new FlowOutput(BATCH);
+            EventSourceException damage = null;
+            try {
+                while (!shooting.isOver() && (labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
+                    shooting.take(batch, labels);
+                }
+            } catch (EventSourceException e) {
+                damage = e;
+            }
+            shooting.end();
+            if (shooting.pictures() == 0) {
+                throw damage != null ? damage : new EventSourceException("[" + recording.getFileName() + "] there must "
+                    + "be an event between --from and --to but there was none");
+            }
+            return new Outcome(shooting.pictures(), shooting.events(), shooting.recordingS(),
+                (System.nanoTime() - start) / 1e9, shooting.hasMostPictures(), reader.faults(), damage);
+        }
+    }
+
+    private Film film(ResultFiles files) throws IOException {
+        switch (format) {
+            case GIF:
+                return new GifFilm(files.create(file), timing.fps());
+            case PNG:
+                return new PngFilm(files.create(file));
+            default:
+                // the muxer goes back in the file, which no stream can
+                files.create(file).close();
+                return new Mp4Film(files.temporary(file), timing.fps());
+        }
+    }
+
+    /** Cuts the events where pictures are due, labels them and paints. */
+    private static final class Shooting {
+        private final PictureSheet sheet;
+        private final Film film;
+        private final Timing timing;
+        private final EventLabeller labeller;
+        private final EventBatch part = new EventBatch(BATCH);
+        private final FlowOutput partLabels = new FlowOutput(BATCH);
+        private long firstUs;
+        private long lastUs;
+        private long events;
+        private long sincePicture;
+        private long pictures;
+        private boolean over;
+        private boolean most;
+
+        Shooting(PictureSheet sheet, Film film, Timing timing, EventLabeller labeller) {
+            this.sheet = sheet;
+            this.film = film;
+            this.timing = timing;
+            this.labeller = labeller;
+        }
+
+        /** Takes a batch; its labels count where there is no labeller. */
+        void take(EventBatch batch, FlowOutput labels) throws IOException {
+            if (events == 0) {
+                firstUs = batch.timeUs[0];
+            }
+            int from = 0;
+            for (int i = 0; i < batch.size() && !over; i++) {
+                long timeUs = batch.timeUs[i];
+                while (!over && isDue(timeUs)) {
+                    pass(batch, labels, from, i);
+                    from = i;
+                    shoot(timing.every() > 0 ? lastUs : dueUs());
+                }
+                if (over) {
+                    return;
+                }
+                if (timeUs - firstUs > timing.toS() * 1e6) {
+                    over = true;
+                    pass(batch, labels, from, i);
+                    return;
+                }
+                events++;
+                sincePicture++;
+                lastUs = timeUs;
+            }
+            if (from < batch.size()) {
+                pass(batch, labels, from, batch.size());
+            }
+        }
+
+        /** Whether a picture comes before an event of this time. */
+        private boolean isDue(long timeUs) {
+            return timing.every() > 0 ? sincePicture >= timing.every() : timeUs >= dueUs();
+        }
+
+        private long dueUs() {
+            return firstUs + Math.round(timing.fromS() * 1e6 + (pictures + 1) * timing.stepUs());
+        }
+
+        private void pass(EventBatch batch, FlowOutput labels, int from, int to) {
+            if (labeller == null) {
+                sheet.add(batch, labels, from, to);
+                return;
+            }
+            int n = to - from;
+            System.arraycopy(batch.timeUs, from, part.timeUs, 0, n);
+            System.arraycopy(batch.x, from, part.x, 0, n);
+            System.arraycopy(batch.y, from, part.y, 0, n);
+            System.arraycopy(batch.polarity, from, part.polarity, 0, n);
+            part.setSize(n);
+            labeller.process(part, partLabels);
+            sheet.add(part, partLabels, 0, n);
+        }
+
+        private void shoot(long timeUs) throws IOException {
+            sincePicture = 0;
+            if (timeUs - firstUs < timing.fromS() * 1e6) {
+                return;
+            }
+            film.add(sheet.paint(timeUs, timeUs - firstUs, labeller instanceof Sofas ? (Sofas) labeller : null));
+            pictures++;
+            most = pictures == timing.maxPictures();
+            over |= most;
+        }
+
+        /** Paints what came after the last picture. */
+        void end() throws IOException {
+            if (!most && sincePicture > 0) {
+                shoot(lastUs);
+            }
+        }
+
+        boolean isOver() {
+            return over;
+        }
+
+        boolean hasMostPictures() {
+            return most;
+        }
+
+        long pictures() {
+            return pictures;
+        }
+
+        long events() {
+            return events;
+        }
+
+        double recordingS() {
+            return (lastUs - firstUs) * 1e-6;
+        }
+    }
+}

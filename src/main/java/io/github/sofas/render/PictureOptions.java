@@ -1,0 +1,68 @@
+package io.github.sofas.render;
+
+import java.util.List;
+
+/**
+ * What a picture shows, and how.
+ *
+ * @param panels from left to right, two a row; each at most once
+ * @param theme dark or light
+ * @param wheel colours of directions
+ * @param scale screen pixels a pixel of the sensor, 1 to 16; 0 so that a panel is about 480 wide
+ * @param exposureUs how long an event is shown, µs; 0 where {@code exposureEvents} counts
+ * @param exposureEvents how many events are shown; 0 where {@code exposureUs} counts
+ * @param fullPxPerS speed of the full colour in px/s; 0 so that it follows what is seen, upwards only
+ * @param crop what is shown of the sensor; null for all of it
+ */
+public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel wheel, int scale, long exposureUs,
+                             long exposureEvents, double fullPxPerS, Crop crop) {
+
+    /**
+     * A part of the sensor.
+     *
+     * @param x leftmost column
+     * @param y topmost row
+     * @param width columns
+     * @param height rows
+     */
+    public record Crop(int x, int y, int width, int height) {
+    }
+
+    /**
+     * Checks all.
+     *
+     * @throws IllegalArgumentException where one is out of range
+     */
+    public PictureOptions {
+        panels = List.copyOf(panels);
+        if (panels.isEmpty() || panels.stream().distinct().count() < panels.size()) {
+            throw new IllegalArgumentException("panels must be one or more, each once, but were " + panels);
+        }
+        if (scale < 0 || scale > 16) {
+            throw new IllegalArgumentException("scale must be between 0 and 16 but was " + scale);
+        }
+        if (exposureUs < 0 || exposureEvents < 0 || exposureUs > 0 == exposureEvents > 0) {
+            throw new IllegalArgumentException("either exposureUs or exposureEvents must be above 0 but they were "
+                + exposureUs + " and " + exposureEvents);
+        }
+        if (!(fullPxPerS >= 0)) {
+            throw new IllegalArgumentException("fullPxPerS must not be negative but was " + fullPxPerS);
+        }
+    }
+
+    /** Flow and segments on dark ground, events of the last 33 ms. */
+    public static PictureOptions defaults() {
+        return new PictureOptions(List.of(Panel.FLOW, Panel.SEGMENTS), Theme.DARK, FlowColours.Wheel.SAFE, 0, 33_333, 0,
+            0, null);
+    }
+
+    /** These with other panels. */
+    public PictureOptions withPanels(List<Panel> newPanels) {
+        return new PictureOptions(newPanels, theme, wheel, scale, exposureUs, exposureEvents, fullPxPerS, crop);
+    }
+
+    /** These with another scale. */
+    public PictureOptions withScale(int newScale) {
+        return new PictureOptions(panels, theme, wheel, newScale, exposureUs, exposureEvents, fullPxPerS, crop);
+    }
+}

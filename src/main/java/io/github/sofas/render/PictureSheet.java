@@ -1,0 +1,394 @@
+package io.github.sofas.render;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.Sofas;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.Arrays;
+import java.util.Locale;
+
+/**
+ * Paints labelled events: panels with titles and legends, the time, and arrows. Of every pixel the last event is
+ * remembered; a picture shows those that are still exposed. One thread at a time.
+ */
+public final class PictureSheet {
+    private static final int ABOUT_WIDTH = 480;
+    private static final int MARGIN = 8;
+    private static final int TITLE = 24;
+    private static final int LEGEND = 64;
+    /** Video codecs take whole blocks of 16 x 16 pixels. */
+    private static final int BLOCK = 16;
+    /** Fewest exposed pixels of a segment that is named and gets an arrow: fewer are specks. */
+    private static final int LEAST_PIXELS = 12;
+
+    private final SensorSize sensor;
+    private final PictureOptions options;
+    private final Theme theme;
+    private final FlowColours flowColours;
+    private final SegmentColours segmentColours;
+    private final PictureOptions.Crop crop;
+    private final int scale;
+
+    // the last event of every pixel
+    private final long[] seenUs;
+    private final long[] number;
+    private final byte[] polarity;
+    private final float[] vx;
+    private final float[] vy;
+    private final int[] segment;
+    private long events;
+
+    private double fullPxPerS;
+    private final int[] speeds = new int[16];
+    private final SeenSegments seen = new SeenSegments();
+
+    private final BufferedImage picture;
+    private final int[] pixels;
+    private final int width;
+    private final int[] base;
+    private double baseFullPxPerS;
+
+    /**
+     * Makes a sheet on which nothing has been seen.
+     *
+     * @throws IllegalArgumentException where the crop is not on the sensor
+     */
+    public PictureSheet(SensorSize sensor, PictureOptions options) {
+        this.sensor = sensor;
+        this.options = options;
+        theme = options.theme();
+        flowColours = new FlowColours(options.wheel(), theme);
+        segmentColours = new SegmentColours(theme);
+        crop = options.crop() != null ? options.crop()
+            : new PictureOptions.Crop(0, 0, sensor.width(), sensor.height());
+        if (crop.width() < 1 || crop.height() < 1 || !sensor.contains(crop.x(), crop.y())
+                || !sensor.contains(crop.x() + crop.width() - 1, crop.y() + crop.height() - 1)) {
+            throw new IllegalArgumentException("crop must lie on the sensor of " + sensor + " but was "
+                + crop.x() + "," + crop.y() + "," + crop.width() + "," + crop.height());
+        }
+        scale = options.scale() > 0 ? options.scale() : Math.max(1, Math.round((float) ABOUT_WIDTH / crop.width()));
+        fullPxPerS = options.fullPxPerS() > 0 ? options.fullPxPerS() : 20;
+        int n = sensor.width() * sensor.height();
+        seenUs = new long[n];
+        number = new long[n];
+        Arrays.fill(number, -1);
+        polarity = new byte[n];
+        vx = new float[n];
+        vy = new float[n];
+        segment = new int[n];
+        int columns = Math.min(2, options.panels().size());
+        int rows = (options.panels().size() + 1) / 2;
+        width = blocks(columns * (panelWidth() + MARGIN) + MARGIN);
+        int height = blocks(rows * (TITLE + panelHeight() + LEGEND));
+        picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        pixels = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();
+        base = new int[pixels.length];
+    }
+
+    private static int blocks(int size) {
+        return (size + BLOCK - 1) / BLOCK * BLOCK;
+    }
+
+    private int panelWidth() {
+        return crop.width() * scale;
+    }
+
+    private int panelHeight() {
+        return crop.height() * scale;
+    }
+
+    /** Left side of a panel, in screen pixels. */
+    private int left(int panel) {
+        return MARGIN + panel % 2 * (panelWidth() + MARGIN);
+    }
+
+    private int top(int panel) {
+        return TITLE + panel / 2 * (TITLE + panelHeight() + LEGEND);
+    }
+
+    /** Takes the events from one place of a batch to before another; those outside the sensor are passed over. */
+    public void add(EventBatch batch, FlowOutput flow, int from, int to) {
+        int columns = sensor.width();
+        for (int i = from; i < to; i++) {
+            int x = batch.x[i];
+            int y = batch.y[i];
+            if (sensor.contains(x, y)) {
+                int at = y * columns + x;
+                seenUs[at] = batch.timeUs[i];
+                number[at] = events++;
+                polarity[at] = batch.polarity[i];
+                vx[at] = flow.vxPxPerS[i];
+                vy[at] = flow.vyPxPerS[i];
+                segment[at] = flow.segment[i];
+            }
+        }
+    }
+
+    /**
+     * Paints what is exposed at a time.
+     *
+     * @param timeUs not before the last event taken
+     * @param shownUs the time that is written, µs since the recording's start
+     * @param engine whose contours are painted; null for none
+     * @return the same image at every call, painted over by the next one
+     */
+    public BufferedImage paint(long timeUs, long shownUs, Sofas engine) {
+        survey(timeUs);
+        if (baseFullPxPerS != fullPxPerS) {
+            paintBase();
+        }
+        System.arraycopy(base, 0, pixels, 0, pixels.length);
+        for (int k = 0; k < options.panels().size(); k++) {
+            paintEvents(k, timeUs);
+        }
+        Graphics2D g = graphics();
+        for (int k = 0; k < options.panels().size(); k++) {
+            Panel panel = options.panels().get(k);
+            g.setClip(left(k), top(k), panelWidth(), panelHeight());
+            if (panel == Panel.CONTOURS && engine != null) {
+                paintContours(k, engine);
+            }
+            if (panel == Panel.SEGMENTS || panel == Panel.CONTOURS) {
+                paintArrows(g, k);
+            }
+        }
+        g.setClip(null);
+        g.setColor(new Color(theme.text));
+        g.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 13));
+        String stamp = String.format(Locale.ROOT, "%.3f s", shownUs * 1e-6);
+        g.drawString(stamp, left(0) + panelWidth() - g.getFontMetrics().stringWidth(stamp), TITLE - 7);
+        g.dispose();
+        return picture;
+    }
+
+    private boolean isExposed(int at, long timeUs) {
+        return number[at] >= 0 && (options.exposureUs() > 0 ? timeUs - seenUs[at] < options.exposureUs()
+            : events - number[at] <= options.exposureEvents());
+    }
+
+    /** Sees which segments are exposed, and how fast all is. */
+    private void survey(long timeUs) {
+        seen.clear();
+        Arrays.fill(speeds, 0);
+        int withFlow = 0;
+        for (int y = 0; y < sensor.height(); y++) {
+            for (int x = 0; x < sensor.width(); x++) {
+                int at = y * sensor.width() + x;
+                if (segment[at] != 0 && isExposed(at, timeUs)) {
+                    seen.add(segment[at], x, y, vx[at], vy[at]);
+                    speeds[step(Math.hypot(vx[at], vy[at]))]++;
+                    withFlow++;
+                }
+            }
+        }
+        if (options.fullPxPerS() == 0 && withFlow > 100) {
+            // the step below which nine tenths of the pixels are
+            int below = 0;
+            int k = 0;
+            while (below + speeds[k] < 0.9 * withFlow) {
+                below += speeds[k++];
+            }
+            fullPxPerS = Math.max(fullPxPerS, speedOfStep(k));
+        }
+    }
+
+    /** Least step, 1, 2, 5, 10 and so on px/s, that is not below a speed. */
+    private static int step(double pxPerS) {
+        int k = 0;
+        while (k < 15 && speedOfStep(k) < pxPerS) {
+            k++;
+        }
+        return k;
+    }
+
+    private static double speedOfStep(int k) {
+        double[] steps = {1, 2, 5};
+        double power = 1;
+        for (int i = 0; i < k / 3; i++) {
+            power *= 10;
+        }
+        return steps[k % 3] * power;
+    }
+
+    private void paintEvents(int k, long timeUs) {
+        Panel panel = options.panels().get(k);
+        int lastId = 0;
+        int lastColour = 0;
+        for (int row = 0; row < crop.height(); row++) {
+            int at = (crop.y() + row) * sensor.width() + crop.x();
+            int to = (top(k) + row * scale) * width + left(k);
+            for (int column = 0; column < crop.width(); column++, at++, to += scale) {
+                if (!isExposed(at, timeUs)) {
+                    continue;
+                }
+                int rgb = theme.faint;
+                if (panel == Panel.EVENTS) {
+                    rgb = polarity[at] > 0 ? theme.on : theme.off;
+                } else if (segment[at] != 0 && panel == Panel.FLOW) {
+                    rgb = flowColours.rgb(vx[at], vy[at], fullPxPerS);
+                } else if (segment[at] != 0 && panel == Panel.SEGMENTS) {
+                    if (segment[at] != lastId) {
+                        lastId = segment[at];
+                        lastColour = segmentColours.rgb(lastId);
+                    }
+                    rgb = lastColour;
+                }
+                fill(to, rgb);
+            }
+        }
+    }
+
+    private void fill(int to, int rgb) {
+        for (int r = 0; r < scale; r++) {
+            Arrays.fill(pixels, to + r * width, to + r * width + scale, rgb);
+        }
+    }
+
+    private void paintContours(int k, Sofas engine) {
+        for (Segment each : engine.segments()) {
+            int rgb = segmentColours.rgb(each.id());
+            engine.contour(each.id(), (x, y) -> {
+                int column = x - crop.x();
+                int row = y - crop.y();
+                if (column >= 0 && column < crop.width() && row >= 0 && row < crop.height()) {
+                    fill((top(k) + row * scale) * width + left(k) + column * scale, rgb);
+                }
+            });
+        }
+    }
+
+    /** Names each segment at its centre, with an arrow along its velocity on the scale of the legend's bar. */
+    private void paintArrows(Graphics2D g, int k) {
+        g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 13));
+        for (int i = 0; i < seen.size(); i++) {
+            if (seen.pixels(i) < LEAST_PIXELS) {
+                continue;
+            }
+            double x = left(k) + (seen.x(i) - crop.x() + 0.5) * scale;
+            double y = top(k) + (seen.y(i) - crop.y() + 0.5) * scale;
+            double perPxPerS = barLength() / fullPxPerS;
+            double endX = x + seen.vx(i) * perPxPerS;
+            double endY = y + seen.vy(i) * perPxPerS;
+            Color colour = new Color(segmentColours.rgb(seen.id(i)));
+            g.setColor(new Color(theme.sensor));
+            g.setStroke(new BasicStroke(6, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+            arrow(g, x, y, endX, endY);
+            g.setColor(colour);
+            g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+            arrow(g, x, y, endX, endY);
+            String name = Integer.toString(seen.id(i));
+            FontMetrics metrics = g.getFontMetrics();
+            // the name stands behind the arrow's tail
+            double length = Math.max(1, Math.hypot(endX - x, endY - y));
+            int centreX = (int) Math.round(x - (endX - x) / length * 14);
+            int centreY = (int) Math.round(y - (endY - y) / length * 14);
+            int w = metrics.stringWidth(name) + 8;
+            g.setColor(new Color(theme.sensor));
+            g.fillRoundRect(centreX - w / 2, centreY - 9, w, 18, 8, 8);
+            g.setColor(colour);
+            g.drawString(name, centreX - w / 2 + 4, centreY + 5);
+        }
+    }
+
+    private static void arrow(Graphics2D g, double x, double y, double endX, double endY) {
+        g.draw(new Line2D.Double(x, y, endX, endY));
+        double length = Math.hypot(endX - x, endY - y);
+        if (length < 3) {
+            return;
+        }
+        double ux = (endX - x) / length;
+        double uy = (endY - y) / length;
+        double head = Math.min(9, length);
+        Path2D path = new Path2D.Double();
+        path.moveTo(endX - head * ux - head * 0.55 * uy, endY - head * uy + head * 0.55 * ux);
+        path.lineTo(endX, endY);
+        path.lineTo(endX - head * ux + head * 0.55 * uy, endY - head * uy - head * 0.55 * ux);
+        g.draw(path);
+    }
+
+    /** Length of the arrow of the full speed, in screen pixels. */
+    private double barLength() {
+        return Math.min(100, panelWidth() / 4.0);
+    }
+
+    private Graphics2D graphics() {
+        Graphics2D g = picture.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        return g;
+    }
+
+    /** Titles, legends and empty panels, which stay from picture to picture. */
+    private void paintBase() {
+        Graphics2D g = graphics();
+        g.setColor(new Color(theme.page));
+        g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
+        for (int k = 0; k < options.panels().size(); k++) {
+            Panel panel = options.panels().get(k);
+            g.setColor(new Color(theme.sensor));
+            g.fillRect(left(k), top(k), panelWidth(), panelHeight());
+            g.setColor(new Color(theme.text));
+            g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 14));
+            g.drawString(panel.title, left(k), top(k) - 7);
+            g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+            paintLegend(g, panel, left(k), top(k) + panelHeight() + 6);
+        }
+        g.dispose();
+        System.arraycopy(pixels, 0, base, 0, base.length);
+        baseFullPxPerS = fullPxPerS;
+    }
+
+    private void paintLegend(Graphics2D g, Panel panel, int x, int y) {
+        String full = String.format(Locale.ROOT, "%.0f px/s", fullPxPerS);
+        switch (panel) {
+            case EVENTS:
+                swatch(g, x, y, theme.on, "brighter (ON)");
+                swatch(g, x, y + 20, theme.off, "darker (OFF)");
+                break;
+            case FLOW:
+                paintWheel(x + 24, y + 25, 24);
+                g.setColor(new Color(theme.text));
+                g.drawString("colour: where it moves", x + 58, y + 16);
+                g.drawString("full colour: " + full + " or more", x + 58, y + 32);
+                swatch(g, x + 58, y + 36, theme.faint, "no flow");
+                break;
+            default:
+                g.setColor(new Color(theme.text));
+                g.drawString(panel == Panel.SEGMENTS ? "a colour and a number: one moving structure"
+                    : "where each structure's next events are expected", x, y + 12);
+                g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+                arrow(g, x + 2, y + 28, x + 2 + barLength(), y + 28);
+                g.drawString(full, (int) (x + barLength() + 12), y + 33);
+                swatch(g, x, y + 38, theme.faint, panel == Panel.SEGMENTS ? "no segment" : "events");
+                break;
+        }
+    }
+
+    private void swatch(Graphics2D g, int x, int y, int rgb, String text) {
+        g.setColor(new Color(rgb));
+        g.fillRect(x, y + 3, 12, 12);
+        g.setColor(new Color(theme.text));
+        g.drawString(text, x + 18, y + 14);
+    }
+
+    private void paintWheel(int centreX, int centreY, int radius) {
+        for (int dy = -radius; dy <= radius; dy++) {
+            for (int dx = -radius; dx <= radius; dx++) {
+                if (dx * dx + dy * dy <= radius * radius) {
+                    pixels[(centreY + dy) * width + centreX + dx] = flowColours.rgb(dx, dy, radius);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,15 @@
+/**
+ * Pictures of events, flow and segments. Open {@link io.github.sofas.render.PictureSheet} first: it is given labelled
+ * events and paints them at any time, as panels side by side with their legends. It remembers the last event of every
+ * pixel, so that its memory does not grow with the recording.
+ *
+ * <pre>{@code
+ * PictureSheet sheet = new PictureSheet(sensor, PictureOptions.defaults());
+ * sheet.add(batch, flow, 0, batch.size());
+ * BufferedImage picture = sheet.paint(timeUs, timeUs - firstUs, null); // a Sofas engine in place of null for contours
+ * }</pre>
+ *
+ * <p>{@link io.github.sofas.render.FlowColours} and {@link io.github.sofas.render.SegmentColours} say what the colours
+ * mean; {@link io.github.sofas.render.Film} makes MP4, GIF or PNG files of pictures.
+ */
+package io.github.sofas.render;

@@ -1,0 +1,117 @@
+package io.github.sofas.cli;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import java.util.zip.ZipInputStream;
+import javax.imageio.ImageIO;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+public class RenderCommandTest {
+    private static final String RECORDING = "recordings/short-bar.aedat";
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    private Executed render(String... more) {
+        String[] args = Stream.concat(Stream.of("render", RECORDING, "--out", folder.getRoot().toString(), "-q"),
+            Stream.of(more)).toArray(String[]::new);
+        return Executed.command(args);
+    }
+
+    private List<String> files() throws IOException {
+        try (Stream<Path> files = Files.list(folder.getRoot().toPath())) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    private void refuses(String message, String... more) throws IOException {
+        Executed executed = render(more);
+        assertEquals(message, executed.err.lines().findFirst().orElse(""));
+        assertEquals(2, executed.exitCode);
+        assertEquals(List.of(), files());
+    }
+
+    @Test
+    public void writesAFilmAndNothingElse() throws IOException {
+        Executed executed = render("--scale", "1", "--to", "0.1");
+        assertEquals("", executed.err);
+        assertEquals(0, executed.exitCode);
+        assertEquals(List.of("short-bar.mp4"), files());
+    }
+
+    @Test
+    public void resultsOfARunGiveTheSameFilm() throws IOException {
+        String dir = folder.getRoot().toString();
+        // no arrows: their ends would show the third decimal of velocities, to which the rows are rounded
+        String[] same = {"--scale", "1", "--format", "png", "--to", "0.2", "--panels", "events,flow"};
+        assertEquals(0, render(same).exitCode);
+        List<int[]> labelled = pictures(Files.readAllBytes(Path.of(dir, "short-bar.png.zip")));
+        assertEquals(0, Executed.command("run", RECORDING, "--out", dir, "-q").exitCode);
+        assertEquals(0, render(Stream.concat(Stream.of(same), Stream.of("--force", "--results", dir))
+            .toArray(String[]::new)).exitCode);
+        List<int[]> again = pictures(Files.readAllBytes(Path.of(dir, "short-bar.png.zip")));
+        int different = 0;
+        for (int k = 0; k < again.size(); k++) {
+            for (int i = 0; i < again.get(k).length; i++) {
+                different += again.get(k)[i] == labelled.get(k)[i] ? 0 : 1;
+            }
+        }
+        assertTrue(different + " pixels, whose colours lay on the border between two", different <= 5);
+    }
+
+    private static List<int[]> pictures(byte[] zip) throws IOException {
+        List<int[]> pictures = new ArrayList<>();
+        try (ZipInputStream in = new ZipInputStream(new ByteArrayInputStream(zip))) {
+            while (in.getNextEntry() != null) {
+                BufferedImage picture = ImageIO.read(new ByteArrayInputStream(in.readAllBytes()));
+                pictures.add(picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0,
+                    picture.getWidth()));
+            }
+        }
+        assertEquals("0.2 s at 30 pictures a second", 6, pictures.size());
+        return pictures;
+    }
+
+    @Test
+    public void filmThatExistsIsReplacedOnlyByForce() throws IOException {
+        Path film = folder.newFile("short-bar.gif").toPath();
+        Executed executed = render("--format", "gif", "--to", "0.05", "--scale", "1");
+        assertEquals("[" + film + "] exists already; --force replaces it",
+            executed.err.lines().findFirst().orElse(""));
+        assertEquals(2, executed.exitCode);
+        assertEquals(0, render("--format", "gif", "--to", "0.05", "--scale", "1", "--force").exitCode);
+        assertTrue(Files.size(film) > 0);
+    }
+
+    @Test
+    public void wrongUsageIsRefusedBeforeAnythingIsWritten() throws IOException {
+        refuses("--fps must be above 0 but was 0.0", "--fps", "0");
+        refuses("--exposure must be a time such as 20ms or a count such as 5000ev but was \"20\"", "--exposure", "20");
+        refuses("--crop must be X,Y,W,H in px but was \"1,2\"", "--crop", "1,2");
+        refuses("scale must be between 0 and 16 but was 17", "--scale", "17");
+        refuses("--panels contours needs the track planes themselves: leave --results out", "--panels", "contours",
+            "--results", "recordings");
+        refuses("--panels contours is of --method sofas, not of lucas-kanade", "--panels", "contours", "--method",
+            "lucas-kanade");
+    }
+
+    @Test
+    public void timeWithoutEventsIsAFailureAndLeavesNoFilm() throws IOException {
+        Executed executed = render("--from", "1000");
+        assertEquals("[short-bar.aedat] there must be an event between --from and --to but there was none",
+            executed.err.strip());
+        assertEquals(1, executed.exitCode);
+        assertEquals(List.of(), files());
+    }
+}

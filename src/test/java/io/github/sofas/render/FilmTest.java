@@ -1,0 +1,76 @@
+package io.github.sofas.render;
+
+import static org.junit.Assert.assertEquals;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.util.zip.ZipInputStream;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import org.jcodec.api.FrameGrab;
+import org.jcodec.api.JCodecException;
+import org.jcodec.common.io.NIOUtils;
+import org.jcodec.common.model.Picture;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** Three pictures of 64 x 32 px, black, white and orange, come back from every kind of film. */
+public class FilmTest {
+    private static final int[] COLOURS = {0x000000, 0xFFFFFF, 0xE69F00};
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    private static void shoot(Film film) throws IOException {
+        for (int colour : COLOURS) {
+            BufferedImage picture = new BufferedImage(64, 32, BufferedImage.TYPE_INT_RGB);
+            for (int i = 0; i < 64 * 32; i++) {
+                picture.setRGB(i % 64, i / 64, colour);
+            }
+            film.add(picture);
+        }
+        film.close();
+    }
+
+    @Test
+    public void gifHoldsThePictures() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        shoot(new GifFilm(bytes, 20));
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        reader.setInput(ImageIO.createImageInputStream(new ByteArrayInputStream(bytes.toByteArray())));
+        assertEquals(3, reader.getNumImages(true));
+        for (int i = 0; i < 3; i++) {
+            assertEquals(COLOURS[i], reader.read(i).getRGB(30, 15) & 0xFFFFFF);
+        }
+    }
+
+    @Test
+    public void zipHoldsNumberedPictures() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        shoot(new PngFilm(bytes));
+        ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(bytes.toByteArray()));
+        for (int i = 0; i < 3; i++) {
+            assertEquals("00000" + (i + 1) + ".png", zip.getNextEntry().getName());
+            assertEquals(COLOURS[i], ImageIO.read(zip).getRGB(30, 15) & 0xFFFFFF);
+        }
+    }
+
+    @Test
+    public void mp4HoldsThePictures() throws IOException, JCodecException {
+        File file = folder.newFile("film.mp4");
+        shoot(new Mp4Film(file.toPath(), 25));
+        FrameGrab grab = FrameGrab.createFrameGrab(NIOUtils.readableChannel(file));
+        assertEquals(3, grab.getVideoTrack().getMeta().getTotalFrames());
+        assertEquals(3 / 25.0, grab.getVideoTrack().getMeta().getTotalDuration(), 1e-6);
+        // brightness as BT.601 has it for video: 16 + 0.257 R + 0.504 G + 0.098 B, here less by 128
+        int[] luma = {16 - 128, 235 - 128, 16 + 59 + 80 - 128};
+        for (int i = 0; i < 3; i++) {
+            Picture picture = grab.getNativeFrame();
+            assertEquals("picture " + i, luma[i], picture.getPlaneData(0)[15 * 64 + 30], 3);
+        }
+    }
+}

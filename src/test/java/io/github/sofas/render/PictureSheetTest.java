@@ -1,0 +1,110 @@
+package io.github.sofas.render;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertThrows;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import org.junit.Test;
+
+/** Panels of 40 x 30 px at scale 4: the first begins at column 8, row 24 of the picture. */
+public class PictureSheetTest {
+    private static final SensorSize SENSOR = new SensorSize(40, 30);
+    private static final FlowColours FLOW = new FlowColours(FlowColours.Wheel.SAFE, Theme.DARK);
+
+    private static PictureOptions options(Panel... panels) {
+        return new PictureOptions(List.of(panels), Theme.DARK, FlowColours.Wheel.SAFE, 4, 10_000, 0, 100, null);
+    }
+
+    /** One event at (10, 20) at 5 ms. */
+    private static PictureSheet withEvent(PictureOptions options, int polarity, float vx, float vy, int segment) {
+        PictureSheet sheet = new PictureSheet(SENSOR, options);
+        EventBatch batch = new EventBatch(1);
+        FlowOutput flow = new FlowOutput(1);
+        batch.add(5_000, 10, 20, polarity);
+        flow.vxPxPerS[0] = vx;
+        flow.vyPxPerS[0] = vy;
+        flow.segment[0] = segment;
+        sheet.add(batch, flow, 0, 1);
+        return sheet;
+    }
+
+    private static int rgb(BufferedImage picture, int x, int y) {
+        return picture.getRGB(x, y) & 0xFFFFFF;
+    }
+
+    @Test
+    public void eventFillsItsPixelAndNoOther() {
+        BufferedImage picture = withEvent(options(Panel.EVENTS), 1, 0, 0, 0).paint(6_000, 6_000, null);
+        // column 8 + 10 x 4, row 24 + 20 x 4
+        for (int x = 46; x < 54; x++) {
+            for (int y = 102; y < 110; y++) {
+                boolean inside = x >= 48 && x < 52 && y >= 104 && y < 108;
+                assertEquals(x + "," + y, inside ? Theme.DARK.on : Theme.DARK.sensor, rgb(picture, x, y));
+            }
+        }
+    }
+
+    @Test
+    public void eventIsShownWhileItIsExposed() {
+        PictureSheet sheet = withEvent(options(Panel.EVENTS), -1, 0, 0, 0);
+        assertEquals(Theme.DARK.off, rgb(sheet.paint(14_999, 0, null), 48, 104));
+        assertEquals(Theme.DARK.sensor, rgb(sheet.paint(15_000, 0, null), 48, 104));
+    }
+
+    @Test
+    public void exposureByCountShowsTheLastEvents() {
+        PictureSheet sheet = new PictureSheet(SENSOR, new PictureOptions(List.of(Panel.EVENTS), Theme.DARK,
+            FlowColours.Wheel.SAFE, 4, 0, 2, 100, null));
+        EventBatch batch = new EventBatch(3);
+        for (int i = 0; i < 3; i++) {
+            batch.add(0, i, 0, 1);
+        }
+        sheet.add(batch, new FlowOutput(3), 0, 3);
+        BufferedImage picture = sheet.paint(1_000_000, 0, null);
+        assertEquals(Theme.DARK.sensor, rgb(picture, 8, 24));
+        assertEquals(Theme.DARK.on, rgb(picture, 12, 24));
+        assertEquals(Theme.DARK.on, rgb(picture, 16, 24));
+    }
+
+    @Test
+    public void flowHasTheColourOfItsVelocity() {
+        BufferedImage picture = withEvent(options(Panel.FLOW), 1, 0, -50, 3).paint(6_000, 0, null);
+        assertEquals(FLOW.rgb(0, -50, 100), rgb(picture, 48, 104));
+    }
+
+    @Test
+    public void eventWithoutFlowIsGrey() {
+        BufferedImage picture = withEvent(options(Panel.FLOW, Panel.SEGMENTS), 1, 0, 0, 0).paint(6_000, 0, null);
+        assertEquals(Theme.DARK.faint, rgb(picture, 48, 104));
+        // the second panel begins 40 x 4 + 8 further right
+        assertEquals(Theme.DARK.faint, rgb(picture, 48 + 168, 104));
+    }
+
+    @Test
+    public void cropShowsItsPartOnly() {
+        PictureOptions options = new PictureOptions(List.of(Panel.EVENTS), Theme.DARK, FlowColours.Wheel.SAFE, 4,
+            10_000, 0, 100, new PictureOptions.Crop(10, 20, 5, 5));
+        assertEquals(Theme.DARK.on, rgb(withEvent(options, 1, 0, 0, 0).paint(6_000, 0, null), 8, 24));
+    }
+
+    @Test
+    public void cropBesideTheSensorIsRefused() {
+        PictureOptions options = new PictureOptions(List.of(Panel.EVENTS), Theme.DARK, FlowColours.Wheel.SAFE, 4,
+            10_000, 0, 100, new PictureOptions.Crop(36, 0, 5, 5));
+        assertEquals("crop must lie on the sensor of 40x30 but was 36,0,5,5",
+            assertThrows(IllegalArgumentException.class, () -> new PictureSheet(SENSOR, options)).getMessage());
+    }
+
+    @Test
+    public void sidesAreMultiplesOfTheCodecsBlocks() {
+        for (int scale = 1; scale <= 5; scale++) {
+            BufferedImage picture = new PictureSheet(SENSOR, options(Panel.EVENTS).withScale(scale)).paint(0, 0, null);
+            assertEquals(0, picture.getWidth() % 16);
+            assertEquals(0, picture.getHeight() % 16);
+        }
+    }
+}
