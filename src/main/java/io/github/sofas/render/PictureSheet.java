@@ -172,6 +172,11 @@ public final class PictureSheet {
         return picture;
     }
 
+    /** A panel alone of the picture painted last, without its title and legend; part of that picture, not a copy. */
+    public BufferedImage panel(int k) {
+        return picture.getSubimage(left(k), top(k), panelWidth(), panelHeight());
+    }
+
     private boolean isExposed(int at, long timeUs) {
         return number[at] >= 0 && (options.exposureUs() > 0 ? timeUs - seenUs[at] < options.exposureUs()
             : events - number[at] <= options.exposureEvents());
