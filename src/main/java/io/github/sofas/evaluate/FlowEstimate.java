@@ -49,20 +49,30 @@ public final class FlowEstimate {
      * @param method made for the recording's sensor; not reset before
      */
     public static FlowEstimate of(SimulatedRecording recording, EventLabeller method) {
+        FlowEstimate estimate = new FlowEstimate();
+        estimate.label(recording, method, recording.size());
+        return estimate;
+    }
+
+    /**
+     * Lets a method label what follows in a simulated recording, and appends it.
+     *
+     * @param method has labelled all events of this estimate
+     * @param until event to stop before
+     */
+    public void label(SimulatedRecording recording, EventLabeller method, int until) {
         EventBatch batch = new EventBatch(BATCH);
         FlowOutput output = new FlowOutput(BATCH);
-        FlowEstimate estimate = new FlowEstimate();
-        for (int from = 0; from < recording.size(); from += BATCH) {
-            int count = Math.min(BATCH, recording.size() - from);
-            System.arraycopy(recording.timeUs, from, batch.timeUs, 0, count);
-            System.arraycopy(recording.x, from, batch.x, 0, count);
-            System.arraycopy(recording.y, from, batch.y, 0, count);
-            System.arraycopy(recording.polarity, from, batch.polarity, 0, count);
+        while (size < until) {
+            int count = Math.min(BATCH, until - size);
+            System.arraycopy(recording.timeUs, size, batch.timeUs, 0, count);
+            System.arraycopy(recording.x, size, batch.x, 0, count);
+            System.arraycopy(recording.y, size, batch.y, 0, count);
+            System.arraycopy(recording.polarity, size, batch.polarity, 0, count);
             batch.setSize(count);
             method.process(batch, output);
-            estimate.append(output, count);
+            append(output, count);
         }
-        return estimate;
     }
 
     /**

@@ -159,6 +159,12 @@ final class Charts {
         return new Picture(images[0], images[1], all, all, title);
     }
 
+    /** Two images of one thing, drawn as they are. */
+    static Picture of(BufferedImage light, BufferedImage dark, String alt) {
+        return new Picture(png(light), png(dark), light.getWidth() / PIXELS_PER_PX, light.getHeight() / PIXELS_PER_PX,
+            alt);
+    }
+
     private static XYChart chart(Theme theme, int width, int height, String title, String xTitle, String yTitle) {
         XYChart chart = new XYChart(width, height);
         chart.setTitle(title);

@@ -39,6 +39,7 @@ import static j2html.TagCreator.tr;
 
 import io.github.sofas.evaluate.Distribution;
 import io.github.sofas.evaluate.Evaluation;
+import io.github.sofas.render.Panel;
 import j2html.TagCreator;
 import j2html.tags.DomContent;
 import j2html.tags.specialized.SectionTag;
@@ -52,6 +53,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 
 /** The page of the experiments: HTML that needs no other file, no network and no script. */
 final class ExperimentReport {
@@ -60,6 +62,8 @@ final class ExperimentReport {
     private static final int WIDE_WIDTH = 540;
     private static final int WIDE_HEIGHT = 300;
     private static final int MAP_SIDE = 400;
+    /** In place of a figure that there are no events for. */
+    private static final String NONE = "–";
 
     private final Experiments experiments;
     private final String version;
@@ -115,74 +119,52 @@ final class ExperimentReport {
         }
     }
 
+    /**
+     * What the paper's text states, and the figure that decides it here.
+     *
+     * @param statement the paper's
+     * @param figure in words, with its unit
+     * @param settings that it is about
+     * @param value the figure
+     */
+    private record Claim(String statement, String figure, List<Setting> settings, ToDoubleFunction<Evaluation> value) {
+    }
+
     private List<DomContent> claims() {
-        List<List<String>> rows = new ArrayList<>();
-        rows.add(List.of("Lucas-Kanade under-estimates the magnitude by about 35 %",
-            perShape(ComparedMethod.LUCAS_KANADE, e -> format("%.0f %%", e.flow().magnitudeErrorPercent().mean()))));
-        rows.add(List.of("SOFAS has the lower standard deviation of magnitude errors",
-            "Lucas-Kanade " + perShape(ComparedMethod.LUCAS_KANADE,
-                e -> format("%.0f %%", e.flow().magnitudeErrorPercent().sd()))
-                + "; paper preset " + perShape(ComparedMethod.SOFAS_PAPER,
-                e -> format("%.1f %%", e.flow().magnitudeErrorPercent().sd()))
-                + "; default " + perShape(ComparedMethod.SOFAS_DEFAULT,
-                e -> format("%.1f %%", e.flow().magnitudeErrorPercent().sd()))));
-        rows.add(List.of("SOFAS is far superior in direction, but for the small circle, where both are about even",
-            "mean angular error: Lucas-Kanade " + perShape(ComparedMethod.LUCAS_KANADE,
-                e -> format("%.0f°", e.flow().angularErrorDeg().mean()))
-                + "; paper preset " + perShape(ComparedMethod.SOFAS_PAPER,
-                e -> format("%.1f°", e.flow().angularErrorDeg().mean()))
-                + "; default " + perShape(ComparedMethod.SOFAS_DEFAULT,
-                e -> format("%.1f°", e.flow().angularErrorDeg().mean()))));
-        rows.add(List.of("SOFAS is slightly better at higher velocities",
-            "mean relative endpoint error at 5.8, 58 and 289 px/s: paper preset "
-                + perVelocity(ComparedMethod.SOFAS_PAPER) + "; default " + perVelocity(ComparedMethod.SOFAS_DEFAULT)));
-        rows.add(List.of("A pendulum gives a relatively noisy, but reasonable estimate",
-            "mean endpoint error, of the peak speed: paper preset "
-                + ofPeak(ComparedMethod.SOFAS_PAPER) + "; default " + ofPeak(ComparedMethod.SOFAS_DEFAULT)));
-        rows.add(List.of("SOFAS performs poorly on rotating bars, worst on the long one",
-            "mean relative endpoint error, short and long: paper preset " + perBar(ComparedMethod.SOFAS_PAPER)
-                + "; default " + perBar(ComparedMethod.SOFAS_DEFAULT)));
+        List<Claim> claims = List.of(
+            new Claim("Lucas-Kanade under-estimates the magnitude by about 35 %", "magnitude error, mean, %",
+                Setting.SHAPES, e -> e.flow().magnitudeErrorPercent().mean()),
+            new Claim("SOFAS has the lower standard deviation of errors", "magnitude error, sd, %", Setting.SHAPES,
+                e -> e.flow().magnitudeErrorPercent().sd()),
+            new Claim("SOFAS is far superior in direction, but for the small circle, where both are about even",
+                "angular error, mean, °", Setting.SHAPES, e -> e.flow().angularErrorDeg().mean()),
+            new Claim("SOFAS is slightly better at higher velocities", "relative AEE at 5.8, 58 and 289 px/s, %",
+                Setting.VELOCITIES, e -> e.flow().relativeEndpointErrorPercent().mean()),
+            new Claim("A pendulum gives a relatively noisy, but reasonable estimate", "AEE, of the peak speed, %",
+                List.of(Setting.PENDULUM), e -> e.flow().endpointErrorPercentOfPeak()),
+            new Claim("SOFAS performs poorly on rotating bars, worst on the long one",
+                "relative AEE, short and long, %", Setting.BARS, e -> e.flow().relativeEndpointErrorPercent().mean()));
+        List<ComparedMethod> methods = List.of(ComparedMethod.values());
         return List.of(
-            p("The paper shows its results as pictures; these are the statements of its text. Values of the four "
+            p("The paper shows its results as pictures; these are the statements of its text. Figures of the four "
                 + "shapes are in the order rectangles, hexagon, large circle, small circle."),
-            div(table(thead(tr(th("the paper").withClass("name"), th("here").withClass("name"))),
-                tbody(each(rows, row -> tr(td(row.get(0)).withClass("wrap"), td(row.get(1)).withClass("wrap"))))))
+            div(table(
+                thead(tr(th("the paper").withClass("name"), th("figure here").withClass("name"),
+                    each(methods, method -> th(method.title())))),
+                tbody(each(claims, claim -> tr(td(claim.statement).withClass("wrap"),
+                    td(claim.figure).withClass("wrap"), each(methods, method -> td(values(claim, method))))))))
                 .withClass("scroll"),
             p(text("The paper's own speed was 6,000 events a second (81,700 events in 13.6 s); "),
                 code("./sofas bench"),
                 text(" measures this one's.")));
     }
 
-    /** A figure of an evaluation in words. */
-    @FunctionalInterface
-    private interface InWords {
-        String of(Evaluation evaluation);
-    }
-
-    private String perShape(ComparedMethod method, InWords figure) {
-        return listed(Setting.SHAPES, method, figure);
-    }
-
-    private String perVelocity(ComparedMethod method) {
-        return listed(Setting.VELOCITIES, method, ExperimentReport::relativeEndpoint);
-    }
-
-    private String perBar(ComparedMethod method) {
-        return listed(Setting.BARS, method, ExperimentReport::relativeEndpoint);
-    }
-
-    private String ofPeak(ComparedMethod method) {
-        return listed(List.of(Setting.PENDULUM), method,
-            e -> format("%.1f %%", e.flow().endpointErrorPercentOfPeak()));
-    }
-
-    private static String relativeEndpoint(Evaluation evaluation) {
-        return format("%.1f %%", evaluation.flow().relativeEndpointErrorPercent().mean());
-    }
-
-    private String listed(List<Setting> settings, ComparedMethod method, InWords figure) {
-        return String.join(", ", settings.stream()
-            .map(setting -> figure.of(experiments.trial(setting, method).evaluation())).toList());
+    private String values(Claim claim, ComparedMethod method) {
+        return String.join(", ", claim.settings.stream().map(setting -> {
+            Evaluation evaluation = experiments.trial(setting, method).evaluation();
+            return evaluation.flow().eventsWithFlow() == 0 ? NONE
+                : format("%.1f", claim.value.applyAsDouble(evaluation));
+        }).toList());
     }
 
     private List<DomContent> goals() {
@@ -277,7 +259,40 @@ final class ExperimentReport {
         return List.of(
             paper("Two bars turning once a second. Projections do not model rotation, so SOFAS performs poorly; the "
                 + "long bar, which fills the frame, suffers from the aperture problem."),
-            figures(Setting.BARS));
+            figures(Setting.BARS),
+            p("How to read the pictures here and below:"),
+            figure(picture(experiments.trial(Setting.THREE_WANDERING, ComparedMethod.SOFAS_DEFAULT).strip()
+                .withLegends())).withClass("key"),
+            join(each(Setting.BARS, this::strips)));
+    }
+
+    /** What the default preset sees at four moments, and what the others see at the third. */
+    private DomContent strips(Setting setting) {
+        List<DomContent> ours = new ArrayList<>();
+        Strip strip = experiments.trial(setting, ComparedMethod.SOFAS_DEFAULT).strip();
+        for (Panel panel : Strip.PANELS) {
+            for (Strip.Moment moment : strip.moments()) {
+                ours.add(captioned(moment, panel, ""));
+            }
+        }
+        List<DomContent> others = new ArrayList<>();
+        Strip.Moment paper = experiments.trial(setting, ComparedMethod.SOFAS_PAPER).strip().moments().get(2);
+        others.add(captioned(paper, Panel.FLOW, "SOFAS, paper: "));
+        others.add(captioned(paper, Panel.SEGMENTS, "SOFAS, paper: "));
+        for (ComparedMethod method : List.of(ComparedMethod.LUCAS_KANADE, ComparedMethod.LOCAL_PLANES)) {
+            others.add(captioned(experiments.trial(setting, method).strip().moments().get(2), Panel.FLOW,
+                method.title() + ": "));
+        }
+        return join(h3(setting.title()),
+            p(format("Full colour, and an arrow of a fifth of a picture's width: %.0f px/s. SOFAS, default:",
+                strip.fullPxPerS())).withClass("soft"),
+            div(each(ours, figure -> figure)).withClass("grid"),
+            div(each(others, figure -> figure)).withClass("grid"));
+    }
+
+    private static DomContent captioned(Strip.Moment moment, Panel panel, String before) {
+        return figure(picture(moment.pictures().get(panel)),
+            figcaption(format("%s%s, %.2f s", before, panel, moment.timeUs() * 1e-6)));
     }
 
     private List<DomContent> convergence() {
@@ -318,7 +333,8 @@ final class ExperimentReport {
             paper("Cockroaches that wander, a pan past bars at four depths, an object that is hidden and found again: "
                 + "segmented clearly, sometimes in parts that are merged later."),
             figures(Setting.SEVERAL),
-            p("Lucas-Kanade and local planes find no segments: all their events are taken as one.").withClass("soft"));
+            p("Lucas-Kanade and local planes find no segments: all their events are taken as one.").withClass("soft"),
+            join(each(Setting.SEVERAL.stream().filter(Setting.PICTURED::contains).toList(), this::strips)));
     }
 
     private List<DomContent> real() {
@@ -351,18 +367,14 @@ final class ExperimentReport {
             for (ComparedMethod method : ComparedMethod.values()) {
                 Evaluation e = experiments.trial(setting, method).evaluation();
                 boolean first = method == ComparedMethod.SOFAS_DEFAULT;
-                Distribution magnitude = e.flow().magnitudeErrorPercent();
-                Distribution direction = e.flow().directionErrorDeg();
                 rows.add(tr(td(first ? setting.title() : "").withClass("name"), td(method.title()).withClass("name"),
-                    td(format("%.1f ± %.1f", magnitude.mean(), magnitude.sd())),
-                    td(format("%.1f ± %.1f", direction.mean(), direction.sd())),
+                    td(meanAndSd(e.flow().magnitudeErrorPercent())), td(meanAndSd(e.flow().directionErrorDeg())),
                     td(format("%.1f", 100 * e.flow().shareWithFlow())),
-                    td(format("%.1f", e.flow().endpointErrorPxPerS().mean())),
-                    td(format("%.1f", e.flow().relativeEndpointErrorPercent().mean())),
+                    td(mean(e.flow().endpointErrorPxPerS())), td(mean(e.flow().relativeEndpointErrorPercent())),
                     td(format("%.1f", 100 * e.noiseShareWithFlow())),
-                    td(method.segmenting() ? format("%.3f", e.segmentation().meanIou()) : "–"),
-                    td(method.segmenting() ? format("%.2f", e.segmentation().partsPerObject()) : "–"),
-                    td(e.segmentation().labelled() == 0 ? "–" : format("%.0f ms, %.1f px",
+                    td(method.segmenting() ? format("%.3f", e.segmentation().meanIou()) : NONE),
+                    td(method.segmenting() ? format("%.2f", e.segmentation().partsPerObject()) : NONE),
+                    td(e.segmentation().labelled() == 0 ? NONE : format("%.0f ms, %.1f px",
                         e.segmentation().firstLabelledUs() / 1e3, e.segmentation().firstLabelledPx())))
                     .withClass(first ? "first ours" : ""));
             }
@@ -375,6 +387,14 @@ final class ExperimentReport {
                 th(rawHtml("noise with<br>flow, %")), th(rawHtml("best<br>IoU")),
                 th(rawHtml("parts an<br>object")), th(rawHtml("first<br>labelled")))),
             tbody(each(rows, row -> row)))).withClass("scroll");
+    }
+
+    private static String meanAndSd(Distribution errors) {
+        return errors.count() == 0 ? NONE : format("%.1f ± %.1f", errors.mean(), errors.sd());
+    }
+
+    private static String mean(Distribution errors) {
+        return errors.count() == 0 ? NONE : format("%.1f", errors.mean());
     }
 
     private static List<DomContent> definitions() {

@@ -59,6 +59,9 @@ record Setting(String id, String title, Scene scene, SimulationOptions options, 
     /** Scenes of several objects; the first three are the kinds that the paper's last figure shows. */
     static final List<Setting> SEVERAL = List.of(THREE_WANDERING, FOUR_BARS, PASSING_BEHIND, TWO_OPPOSITE,
         THREE_CROSSING);
+    /** Those that pictures are made of. */
+    static final List<Setting> PICTURED = List.of(SHORT_BAR, LONG_BAR, THREE_WANDERING, FOUR_BARS, PASSING_BEHIND,
+        THREE_CROSSING);
     /** All, in the order of the report. */
     static final List<Setting> ALL = List.of(RECTANGLES, HEXAGON, LARGE_CIRCLE, SMALL_CIRCLE, HEXAGON_35_DEG,
         HEXAGON_SLOW, HEXAGON_FAST, HEXAGON_NOISY, PENDULUM, SHORT_BAR, LONG_BAR, THREE_WANDERING, FOUR_BARS,

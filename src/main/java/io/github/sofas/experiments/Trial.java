@@ -18,9 +18,10 @@ import io.github.sofas.simulate.SimulatedRecording;
  * @param directionError errors of the direction in degrees, over the same
  * @param speed median estimated speed over time in px/s
  * @param trueSpeed median true speed of the object events over the same time in px/s
+ * @param strip pictures; null unless the setting is pictured
  */
 record Trial(Setting setting, ComparedMethod method, Evaluation evaluation, Histogram magnitudeError,
-             Histogram directionError, Curve speed, Curve trueSpeed) {
+             Histogram directionError, Curve speed, Curve trueSpeed, Strip strip) {
     /** Bins of 2 % and 4 degrees, an odd number of them so that no error is the middle of one. */
     private static final int MAGNITUDE_BINS = 101;
     private static final double MAGNITUDE_LIMIT_PERCENT = 101;
@@ -32,7 +33,17 @@ record Trial(Setting setting, ComparedMethod method, Evaluation evaluation, Hist
     static Trial of(Setting setting, SimulatedRecording recording, ComparedMethod method) {
         GroundTruth truth = GroundTruth.of(recording);
         EventLabeller labeller = method.make(recording.sensor());
-        FlowEstimate estimate = FlowEstimate.of(recording, labeller);
+        FlowEstimate estimate = new FlowEstimate();
+        Strip strip = null;
+        if (Setting.PICTURED.contains(setting)) {
+            StripPainter painter = new StripPainter(recording);
+            for (long timeUs : StripPainter.timesUs(recording.durationUs())) {
+                estimate.label(recording, labeller, eventsBefore(recording, timeUs));
+                painter.take(timeUs, estimate, labeller);
+            }
+            strip = painter.strip();
+        }
+        estimate.label(recording, labeller, recording.size());
         EvaluationOptions options = EvaluationOptions.defaults();
         Evaluation evaluation = Evaluation.of(truth, estimate, options);
         Histogram.Gatherer magnitude = new Histogram.Gatherer(MAGNITUDE_LIMIT_PERCENT, MAGNITUDE_BINS);
@@ -51,7 +62,15 @@ record Trial(Setting setting, ComparedMethod method, Evaluation evaluation, Hist
             }
         }
         return new Trial(setting, method, evaluation, magnitude.histogram(), direction.histogram(),
-            speed(truth, estimate, true), speed(truth, estimate, false));
+            speed(truth, estimate, true), speed(truth, estimate, false), strip);
+    }
+
+    private static int eventsBefore(SimulatedRecording recording, long timeUs) {
+        int n = 0;
+        while (n < recording.size() && recording.timeUs[n] < timeUs) {
+            n++;
+        }
+        return n;
     }
 
     /** Median speeds of the object events in bins of 20 ms. */

@@ -2,6 +2,7 @@ package io.github.sofas.experiments;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.Skipped;
@@ -12,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -61,6 +63,25 @@ public class ExperimentsTest {
             .filter(check -> check.figure().equals("magnitude error, mean")).allMatch(Goal.Check::met));
         assertTrue(experiments.trial(Setting.HEXAGON, ComparedMethod.LUCAS_KANADE).evaluation().flow()
             .relativeEndpointErrorPercent().mean() > 30);
+    }
+
+    @Test
+    public void picturedSettingsShowFlowSegmentsAndContoursAtFourMoments() {
+        for (Setting setting : Setting.ALL) {
+            for (ComparedMethod method : ComparedMethod.values()) {
+                Strip strip = experiments.trial(setting, method).strip();
+                if (Setting.PICTURED.contains(setting)) {
+                    assertEquals(4, strip.moments().size());
+                    strip.moments().forEach(moment ->
+                        assertEquals(Set.copyOf(Strip.PANELS), moment.pictures().keySet()));
+                } else {
+                    assertNull(strip);
+                }
+            }
+        }
+        // 58, 70 and 49 px/s: nine tenths of the events are not faster than 100, but faster than 50
+        assertEquals(100, experiments.trial(Setting.THREE_CROSSING, ComparedMethod.SOFAS_DEFAULT).strip()
+            .fullPxPerS(), 0);
     }
 
     @Test
