@@ -27,6 +27,7 @@ public class ArchitectureTest {
         Map.entry("flow", Set.of("event")),
         Map.entry("recording", Set.of("event")),
         Map.entry("live", Set.of("event", "recording")),
+        Map.entry("host", Set.of("event", "flow")),
         Map.entry("export", Set.of("event", "flow")),
         Map.entry("render", Set.of("event", "flow")),
         Map.entry("baseline", Set.of("event", "flow")),
@@ -35,8 +36,8 @@ public class ArchitectureTest {
         Map.entry("experiments", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate",
             "evaluate")),
         Map.entry("benchmark", Set.of("event", "flow", "recording", "export", "simulate")),
-        Map.entry("cli", Set.of("event", "flow", "recording", "live", "export", "render", "baseline", "simulate",
-            "evaluate", "experiments", "benchmark")));
+        Map.entry("cli", Set.of("event", "flow", "recording", "live", "host", "export", "render", "baseline",
+            "simulate", "evaluate", "experiments", "benchmark")));
 
     private static final JavaClasses MAIN = new ClassFileImporter()
         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)

@@ -37,8 +37,9 @@ public class StartScriptsTest {
         project = Files.createDirectories(root.resolve("project"));
         Files.createDirectories(project.resolve("gradle"));
         Files.createDirectories(project.resolve("src/main"));
+        Files.createDirectories(project.resolve("plugins/jaer/src/main"));
         for (String name : List.of("gradlew", "sofas", "gradle/jdk.sh", "build.gradle", "settings.gradle",
-            "gradle.properties")) {
+            "gradle.properties", "plugins/jaer/build.gradle")) {
             Files.copy(Path.of(name), project.resolve(name));
         }
         Path bin = Files.createDirectories(root.resolve("bin"));

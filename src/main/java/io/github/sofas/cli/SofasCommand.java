@@ -15,7 +15,7 @@ import picocli.CommandLine.Spec;
     synopsisSubcommandLabel = "COMMAND",
     description = "Optical flow and segment of every event of event-camera recordings.",
     subcommands = {RunCommand.class, RenderCommand.class, LiveCommand.class, InfoCommand.class, EvaluateCommand.class,
-        SimulateCommand.class, ExperimentsCommand.class, BenchCommand.class, HelpCommand.class,
+        SimulateCommand.class, ExperimentsCommand.class, CompareCommand.class, BenchCommand.class, HelpCommand.class,
         AutoComplete.GenerateCompletion.class})
 final class SofasCommand implements Runnable {
     @Spec

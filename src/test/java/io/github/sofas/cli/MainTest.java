@@ -8,7 +8,8 @@ import java.util.List;
 import org.junit.Test;
 
 public class MainTest {
-    private static final List<String> COMMANDS = List.of("run", "live", "info", "evaluate", "simulate", "bench");
+    private static final List<String> COMMANDS = List.of("run", "live", "info", "evaluate", "simulate", "compare",
+        "bench");
 
     @Test
     public void needsACommand() {

@@ -6,6 +6,14 @@ public class AEChip {
         throw new UnsupportedOperationException();
     }
 
+    public void setSizeX(int sizeX) {
+        throw new UnsupportedOperationException();
+    }
+
+    public void setSizeY(int sizeY) {
+        throw new UnsupportedOperationException();
+    }
+
     public int getSizeY() {
         throw new UnsupportedOperationException();
     }

@@ -2,4 +2,5 @@ package net.sf.jaer.event;
 
 /** Signatures of the class of that name in jAER that the filter needs; never run, never shipped. */
 public class TypedEvent extends BasicEvent {
+    public byte type;
 }

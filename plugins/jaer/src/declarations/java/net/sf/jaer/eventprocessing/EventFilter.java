@@ -18,6 +18,10 @@ public abstract class EventFilter {
 
     public abstract void initFilter();
 
+    public synchronized void setFilterEnabled(boolean enabled) {
+        throw new UnsupportedOperationException();
+    }
+
     public boolean isFilterEnabled() {
         throw new UnsupportedOperationException();
     }

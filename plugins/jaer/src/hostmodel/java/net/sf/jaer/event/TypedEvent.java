@@ -2,4 +2,5 @@ package net.sf.jaer.event;
 
 /** As much of the class of that name in jAER as the tests of the filter need. */
 public class TypedEvent extends BasicEvent {
+    public byte type;
 }

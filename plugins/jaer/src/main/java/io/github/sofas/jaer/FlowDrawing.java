@@ -122,7 +122,7 @@ final class FlowDrawing {
             String text = String.format(Locale.ROOT, "%d: (%d, %d) px/s, %.1f s", segment.id(),
                 Math.round(segment.vxPxPerS()), Math.round(-segment.vyPxPerS()),
                 (segment.lastTimeUs() - segment.firstTimeUs()) * 1e-6);
-            text(gl, sofas.sensor(), pixel, segment.minX(), height - segment.minY() + 2, text, colour);
+            text(gl, sofas.sensor(), pixel, segment.minX(), height - segment.minY() + 2, text);
         }
     }
 
@@ -145,14 +145,14 @@ final class FlowDrawing {
     }
 
     /** Text of one size whatever the window's, kept on the sensor, on a shadow. */
-    private void text(GL2 gl, SensorSize sensor, float pixel, float x, float y, String text, Color colour) {
+    private void text(GL2 gl, SensorSize sensor, float pixel, float x, float y, String text) {
         float width = glut.glutBitmapLength(FONT, text) / pixel;
         float left = Math.max(0, Math.min(x, sensor.width() - width));
         float bottom = Math.max(0, Math.min(y, sensor.height() - 12 / pixel));
         gl.glColor4f(0, 0, 0, 0.8f);
         gl.glRasterPos2f(left + 1 / pixel, Math.max(0, bottom - 1 / pixel));
         glut.glutBitmapString(FONT, text);
-        colour(gl, colour, 1);
+        gl.glColor4f(1, 1, 1, 1);
         gl.glRasterPos2f(left, bottom);
         glut.glutBitmapString(FONT, text);
     }
@@ -224,7 +224,7 @@ final class FlowDrawing {
         };
         text(gl, sensor, pixel, 1, sensor.height() - 14 / pixel, String.format(Locale.ROOT,
             "SOFAS: %d segments, %.0f %% of %,d events with flow; %s; arrows %.2f s long", segments,
-            100.0 * with / Math.max(1, events), events, colours, ARROW_S), Color.WHITE);
+            100.0 * with / Math.max(1, events), events, colours, ARROW_S));
     }
 
     private static void colour(GL2 gl, Color colour, float alpha) {

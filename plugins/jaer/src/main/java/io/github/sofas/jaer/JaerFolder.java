@@ -20,6 +20,8 @@ final class JaerFolder {
     /** Lists that jAER 3.3 reads its filters from. */
     static final List<String> KINDS = List.of("net.sf.jaer.eventprocessing.EventFilter2D",
         "net.sf.jaer.eventprocessing.EventFilter");
+    /** By name: where jAER is only started, its classes are not to be had, and so not the filter. */
+    private static final String FILTER = "io.github.sofas.jaer.SofasFlow";
     private static final String LISTS = "net/sf/jaer/util/allowed-subclasses/";
     private static final String VIEWER = "net/sf/jaer/JAERViewer.class";
     /** Class files of version n are for Java n - 44. */
@@ -110,7 +112,7 @@ final class JaerFolder {
                 Path file = overlay.resolve(LISTS + kind + ".txt");
                 Files.createDirectories(file.getParent());
                 Files.writeString(file, new String(list, StandardCharsets.UTF_8).stripTrailing() + "\n"
-                    + SofasFlow.class.getName() + "\n");
+                    + FILTER + "\n");
             }
         }
         List<String> entries = new ArrayList<>(List.of(overlay.toString(), ownJar().toString()));

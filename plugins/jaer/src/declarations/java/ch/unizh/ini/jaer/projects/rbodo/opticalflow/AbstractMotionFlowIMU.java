@@ -96,6 +96,10 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
         throw new UnsupportedOperationException();
     }
 
+    public void setDisplayRawInput(boolean displayRawInput) {
+        throw new UnsupportedOperationException();
+    }
+
     public boolean isDisplayRawInput() {
         throw new UnsupportedOperationException();
     }

@@ -1,0 +1,43 @@
+package io.github.sofas.jaer;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * {@code JAER_FOLDER FILTER WIDTH HEIGHT}: starts {@link ServeFilter} with the jAER in a folder, on the standard input
+ * and output of this process. Apart from it, because here jAER's classes are not to be had.
+ */
+public final class StartFilter {
+    private StartFilter() {
+    }
+
+    /** Ends as the other process does, or with 1 and a message where it cannot be started. */
+    public static void main(String[] arguments) throws InterruptedException {
+        try {
+            System.exit(start(Path.of(arguments[0]), Arrays.asList(arguments).subList(1, arguments.length)));
+        } catch (IOException e) {
+            System.err.println(e.getMessage());
+            System.exit(1);
+        }
+    }
+
+    private static int start(Path folder, List<String> arguments) throws IOException, InterruptedException {
+        JaerFolder jaer = JaerFolder.of(folder);
+        Path scratch = Files.createTempDirectory("sofas-compare");
+        // neither the user's settings nor the traces of other viewers
+        List<String> options = List.of("-Djava.util.prefs.userRoot=" + scratch, "-Djava.io.tmpdir=" + scratch);
+        List<String> command = new ArrayList<>(jaer.command(scratch, options, "io.github.sofas.jaer.ServeFilter"));
+        command.addAll(arguments);
+        try {
+            Process process = new ProcessBuilder(command).directory(scratch.toFile()).inheritIO().start();
+            Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
+            return process.waitFor();
+        } finally {
+            StartJaer.delete(scratch);
+        }
+    }
+}

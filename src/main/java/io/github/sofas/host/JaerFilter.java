@@ -1,0 +1,162 @@
+package io.github.sofas.host;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * One of jAER's motion-flow filters, as jAER has it with its default settings, run in jAER on the same packets. A batch
+ * is a packet: unlike the engine's own results, those of some filters depend on the cut. Filters without segments give
+ * segment 1 to what has flow.
+ */
+public final class JaerFilter implements EventLabeller, AutoCloseable {
+    private static final int READY = 0x50fa5;
+    private static final String STARTER = "io.github.sofas.jaer.StartFilter";
+
+    private final Process process;
+    private final DataOutputStream out;
+    private final DataInputStream in;
+    private final Path log;
+    private long filterNs;
+
+    private JaerFilter(Process process, Path log) {
+        this.process = process;
+        this.log = log;
+        out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream(), 1 << 16));
+        in = new DataInputStream(new BufferedInputStream(process.getInputStream(), 1 << 16));
+    }
+
+    /**
+     * Starts jAER with a filter, without a viewer.
+     *
+     * @param plugin sofas-jAER.jar
+     * @param folder jAER's
+     * @param java the program to start; it runs jAER too unless jAER brings its own
+     * @param filterClass full name of a class
+     * @throws JaerException where jAER or the filter does not start
+     */
+    public static JaerFilter start(Path plugin, Path folder, Path java, Display display, String filterClass,
+                                   SensorSize sensor) throws JaerException {
+        try {
+            Path log = Files.createTempFile("sofas-jaer", ".log");
+            ProcessBuilder builder = new ProcessBuilder(java.toString(), "-cp", plugin.toString(), STARTER,
+                folder.toAbsolutePath().toString(), filterClass, Integer.toString(sensor.width()),
+                Integer.toString(sensor.height())).redirectError(log.toFile());
+            builder.environment().put("DISPLAY", display.name());
+            JaerFilter filter = new JaerFilter(builder.start(), log);
+            filter.awaitReady(filterClass);
+            return filter;
+        } catch (JaerException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new JaerException("jAER cannot be started: " + e.getMessage());
+        }
+    }
+
+    private void awaitReady(String filterClass) throws IOException {
+        try {
+            if (in.readInt() == READY) {
+                return;
+            }
+        } catch (EOFException e) {
+            // the process ended; its last words follow
+        }
+        String words = lastWords();
+        close();
+        throw new JaerException(words.isEmpty() ? "jAER ended before " + filterClass + " was ready" : words);
+    }
+
+    /** What a process that ended said last: its exception, else its last line. */
+    private String lastWords() throws IOException {
+        List<String> lines = new ArrayList<>(Files.readAllLines(log));
+        lines.removeIf(String::isBlank);
+        for (String line : lines) {
+            if (line.startsWith("Exception in thread") || line.startsWith("Caused by:")) {
+                return line;
+            }
+        }
+        return lines.isEmpty() ? "" : lines.get(lines.size() - 1);
+    }
+
+    /**
+     * {@inheritDoc}
+     *
+     * @throws UncheckedIOException where jAER ended
+     */
+    @Override
+    public void process(EventBatch batch, FlowOutput output) {
+        if (batch.size() > output.capacity()) {
+            throw new IllegalArgumentException("output must hold " + batch.size() + " events but holds "
+                + output.capacity());
+        }
+        try {
+            out.writeInt(batch.size());
+            for (int i = 0; i < batch.size(); i++) {
+                out.writeLong(batch.timeUs[i]);
+                out.writeShort(batch.x[i]);
+                out.writeShort(batch.y[i]);
+                out.writeByte(batch.polarity[i]);
+            }
+            out.flush();
+            filterNs += in.readLong();
+            for (int i = 0; i < batch.size(); i++) {
+                float vx = in.readFloat();
+                float vy = in.readFloat();
+                int segment = in.readInt();
+                output.vxPxPerS[i] = segment == 0 ? 0 : vx;
+                output.vyPxPerS[i] = segment == 0 ? 0 : vy;
+                output.segment[i] = segment;
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("jAER ended early: " + words(), e);
+        }
+    }
+
+    private String words() {
+        try {
+            return lastWords();
+        } catch (IOException e) {
+            return e.toString();
+        }
+    }
+
+    /** Time that the filter itself took, in s. */
+    public double seconds() {
+        return filterNs * 1e-9;
+    }
+
+    /** Not needed for one recording, and not served. */
+    @Override
+    public void reset() {
+        throw new UnsupportedOperationException("start another");
+    }
+
+    /** Ends jAER. */
+    @Override
+    public void close() {
+        try {
+            out.writeInt(-1);
+            out.close();
+            process.waitFor(5, TimeUnit.SECONDS);
+            Files.deleteIfExists(log);
+        } catch (IOException e) {
+            // it has ended already
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        process.destroy();
+    }
+}
