@@ -231,6 +231,7 @@ final class LiveCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         LiveStatus status = new LiveStatus(source, err);
         LiveRun run = new LiveRun(source, method, out, name, record, status);
+        run.warmUp();
         ScheduledExecutorService clock = Executors.newScheduledThreadPool(1);
         RecordingRun.Outcome outcome;
         StopSignals signals = StopSignals.handle(source::stop);

@@ -11,7 +11,11 @@ import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.live.LiveSource;
 import io.github.sofas.recording.Aedat2Writer;
+import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.SimulatedSource;
+import io.github.sofas.simulate.SimulationOptions;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -25,6 +29,7 @@ import java.util.Map;
 final class LiveRun {
     /** As many events as a transfer or datagram can hold. */
     private static final int BATCH = 8192;
+    private static final long WARM_UP_US = 1_000_000;
 
     private final LiveSource source;
     private final MethodChoice method;
@@ -65,6 +70,27 @@ final class LiveRun {
         this.record = record;
         this.status = status;
         labeller = method.make(source.sensor(), segments::add);
+    }
+
+    /**
+     * Labels a second of a simulated scene and forgets it. A Java that has just started is ten times slower, and a
+     * camera does not wait until it has compiled what it runs.
+     *
+     * @throws IOException never: nothing is written
+     */
+    void warmUp() throws IOException {
+        SimulationOptions options = SimulationOptions.defaults().withSensor(source.sensor())
+            .withDurationUs(WARM_UP_US);
+        EventBatch batch = new EventBatch(BATCH);
+        FlowOutput flow = new FlowOutput(BATCH);
+        EventLabeller other = method.make(source.sensor(), ended -> { });
+        try (SimulatedSource scene = new SimulatedSource(Scene.FOUR_BARS, options);
+                FlowCsvWriter nowhere = new FlowCsvWriter(OutputStream.nullOutputStream())) {
+            while (scene.next(batch)) {
+                other.process(batch, flow);
+                nowhere.write(batch, flow);
+            }
+        }
     }
 
     /**
