@@ -2,6 +2,7 @@ package io.github.sofas.cli;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.export.FlowCsvReader;
 import io.github.sofas.export.ResultFiles;
@@ -14,13 +15,16 @@ import io.github.sofas.recording.Recordings;
 import io.github.sofas.render.Film;
 import io.github.sofas.render.GifFilm;
 import io.github.sofas.render.Mp4Film;
+import io.github.sofas.render.Panel;
 import io.github.sofas.render.PictureOptions;
 import io.github.sofas.render.PictureSheet;
 import io.github.sofas.render.PngFilm;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Locale;
+import java.util.Queue;
 
 /**
  * One recording from its first event to its film.
@@ -100,13 +104,26 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             } catch (IllegalArgumentException e) {
                 throw new EventSourceException("[" + recording.getFileName() + "] " + e.getMessage(), e);
             }
+            Queue<GreyFrame> frames = new ArrayDeque<>();
+            boolean wantsFrames = pictures.panels().contains(Panel.GREY);
+            if (wantsFrames) {
+                reader.onFrame(frames::add);
+            }
             EventLabeller labeller = labelled == null ? method.make(sensor, ended -> { }) : null;
-            Shooting shooting = new Shooting(sheet, film, timing, labeller);
+            Shooting shooting = new Shooting(sheet, film, timing, labeller, frames);
             EventBatch batch = new EventBatch(BATCH);
             FlowOutput labels = new FlowOutput(BATCH);
             EventSourceException damage = null;
             try {
+                EventBatch alongside = new EventBatch(BATCH);
                 while (!shooting.isOver() && (labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
+                    if (labelled != null && wantsFrames) {
+                        // the frames of the batch's time are in the recording only
+                        long untilUs = batch.timeUs[batch.size() - 1];
+                        while (reader.lastTimeUs() <= untilUs && reader.next(alongside)) {
+                            alongside.clear();
+                        }
+                    }
                     shooting.take(batch, labels);
                 }
             } catch (EventSourceException e) {
@@ -141,6 +158,8 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
         private final Film film;
         private final Timing timing;
         private final EventLabeller labeller;
+        /** Frames that were read, and are shown when their time has come. */
+        private final Queue<GreyFrame> frames;
         private final EventBatch part = new EventBatch(BATCH);
         private final FlowOutput partLabels = new FlowOutput(BATCH);
         private long firstUs;
@@ -151,11 +170,12 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
         private boolean over;
         private boolean most;
 
-        Shooting(PictureSheet sheet, Film film, Timing timing, EventLabeller labeller) {
+        Shooting(PictureSheet sheet, Film film, Timing timing, EventLabeller labeller, Queue<GreyFrame> frames) {
             this.sheet = sheet;
             this.film = film;
             this.timing = timing;
             this.labeller = labeller;
+            this.frames = frames;
         }
 
         /** Takes a batch; its labels count where there is no labeller. */
@@ -216,6 +236,9 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             sincePicture = 0;
             if (timeUs - firstUs < timing.fromS() * 1e6) {
                 return;
+            }
+            while (!frames.isEmpty() && frames.peek().timeUs() <= timeUs) {
+                sheet.show(frames.remove());
             }
             film.add(sheet.paint(timeUs, timeUs - firstUs, labeller instanceof Sofas ? (Sofas) labeller : null));
             pictures++;

@@ -39,6 +39,9 @@ final class Aedat2Format {
     static final int DAVIS_Y_SHIFT = 22;
     static final int DAVIS_Y_MASK = 0x1FF;
     static final int DAVIS_IMU = 0x80000C00;
+    /** Intensity samples: bit 10 is set for the read after the exposure, not set for the one after the reset. */
+    static final int APS_SIGNAL_READ = 1 << 10;
+    static final int APS_SAMPLE_MASK = 0x3FF;
     static final int IMU_CODE_SHIFT = 28;
     static final int IMU_CODE_MASK = 7;
     static final int IMU_VALUE_SHIFT = 12;

@@ -53,6 +53,8 @@ final class Aedat2Reader extends RecordingReader {
     private int nextImuCode;
     /** The words of the IMU sample so far. */
     private final short[] imuWords = new short[IMU_WORDS];
+    /** Made with the first sample of a frame that someone wants. */
+    private ApsFrames apsFrames;
 
     Aedat2Reader(RecordingFile file, RecordingOptions options, String formatName, int recordBytes, String chipName,
                  Chip chip) {
@@ -190,6 +192,12 @@ final class Aedat2Reader extends RecordingReader {
             triggers++;
         } else if ((address & DAVIS_IMU) != DAVIS_IMU) {
             apsSamples++;
+            if (frameReceiver != null) {
+                if (apsFrames == null) {
+                    apsFrames = new ApsFrames(sensor(), frameReceiver);
+                }
+                apsFrames.take(address, (int) INT.get(file.buffer, p + Integer.BYTES) + wrapUs);
+            }
         } else {
             takeImuWord(address, n, p);
         }

@@ -39,6 +39,19 @@ final class Aedat4Format {
     static final int ENTRY_PACKET = 6;
     static final int ENTRY_ELEMENTS = 8;
 
+    /** Fields of a frame. */
+    static final int FRAME_TIME = 4;
+    static final int FRAME_FORMAT = 14;
+    static final int FRAME_WIDTH = 16;
+    static final int FRAME_HEIGHT = 18;
+    static final int FRAME_LEFT = 20;
+    static final int FRAME_TOP = 22;
+    static final int FRAME_PIXELS = 24;
+    /** Formats of a frame, OpenCV's codes: one byte a pixel; blue, green and red; the same and opacity. */
+    static final int FORMAT_GREY = 0;
+    static final int FORMAT_BGR = 16;
+    static final int FORMAT_BGRA = 24;
+
     static final int PACKET_HEADER_BYTES = 8;
     static final int EVENT_BYTES = 16;
     static final int EVENT_PIXEL_AT = 8;

@@ -158,7 +158,8 @@ final class Aedat4Reader extends RecordingReader {
                     + "declared in the header but was " + id);
         }
         boolean isRead = stream != null
-                && (id == eventStream || IMU.equals(stream.type()) || TRIGGERS.equals(stream.type()));
+                && (id == eventStream || IMU.equals(stream.type()) || TRIGGERS.equals(stream.type())
+                || frameReceiver != null && FRAMES.equals(stream.type()));
         long have = Math.min(size, room);
         if (isRead && size <= MAX_PACKED_BYTES) {
             if (packed.length < have) {
@@ -170,7 +171,12 @@ final class Aedat4Reader extends RecordingReader {
         }
         if (isRead && size <= MAX_PACKED_BYTES && have > 0) {
             unpacker.unpack(packed, (int) have);
-            openPacket(id, stream.type(), n, have < size);
+            if (FRAMES.equals(stream.type())) {
+                frames++;
+                deliverFrame(id, n, have < size);
+            } else {
+                openPacket(id, stream.type(), n, have < size);
+            }
         } else if (stream != null && FRAMES.equals(stream.type())) {
             frames++;
         } else {
@@ -178,10 +184,26 @@ final class Aedat4Reader extends RecordingReader {
         }
         if (have < size) {
             packetFault = endWord() + ", a packet must have " + size + " bytes but had " + have;
-        } else if (isRead && size > MAX_PACKED_BYTES) {
+        } else if (isRead && size > MAX_PACKED_BYTES && !FRAMES.equals(stream.type())) {
             packetFault = "unsupported, a packet must have at most " + MAX_PACKED_BYTES + " bytes but had " + size;
         }
         return true;
+    }
+
+    /** No event is lost by a spoiled frame, and the next packet's place is known. */
+    private void deliverFrame(int id, int n, boolean isCut) {
+        String fault = unpacker.fault();
+        if (fault == null) {
+            try {
+                frameReceiver.accept(Aedat4Frames.decode(unpacker.output(), unpacker.length(), sensor()));
+            } catch (Aedat4Frames.MalformedFrameException e) {
+                fault = e.getMessage();
+            }
+        }
+        if (fault != null && !isCut) {
+            String rule = fault;
+            addFault("packet" + id, () -> at(eventNumber(n), packetOffset) + rule);
+        }
     }
 
     /** A packet that does not fit was cut off with the file, unless the data table follows it. */

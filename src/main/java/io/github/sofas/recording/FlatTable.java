@@ -36,6 +36,16 @@ final class FlatTable extends Table {
         return offset == 0 ? absent : bb.getInt(bb_pos + offset);
     }
 
+    int shortField(int field) {
+        int offset = __offset(field);
+        return offset == 0 ? 0 : bb.getShort(bb_pos + offset);
+    }
+
+    int byteField(int field) {
+        int offset = __offset(field);
+        return offset == 0 ? 0 : bb.get(bb_pos + offset);
+    }
+
     long longField(int field, long absent) {
         int offset = __offset(field);
         return offset == 0 ? absent : bb.getLong(bb_pos + offset);

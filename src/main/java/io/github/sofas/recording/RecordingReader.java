@@ -3,6 +3,7 @@ package io.github.sofas.recording;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSource;
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -38,6 +39,8 @@ public abstract class RecordingReader implements EventSource {
     long otherRecords;
     /** Gets IMU samples; null where no one wants them. */
     Consumer<ImuSample> imuReceiver;
+    /** Gets frames; null where no one wants them. */
+    Consumer<GreyFrame> frameReceiver;
 
     private final String formatName;
     private final String chipName;
@@ -106,6 +109,14 @@ public abstract class RecordingReader implements EventSource {
      */
     public final void onImuSample(Consumer<ImuSample> receiver) {
         imuReceiver = receiver;
+    }
+
+    /**
+     * Delivers grey-level frames from now on, each from within {@link #next}; a batch may hold events of before and
+     * after. AEDAT 2.0 recordings of DAVIS cameras and AEDAT 4.0 recordings deliver them, others only count theirs.
+     */
+    public final void onFrame(Consumer<GreyFrame> receiver) {
+        frameReceiver = receiver;
     }
 
     /** How far into the file the reading is, in bytes; what is still buffered is not counted. */

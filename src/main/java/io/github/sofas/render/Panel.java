@@ -9,7 +9,9 @@ public enum Panel {
     /** Segment of each event by colour, with ids and velocity arrows. */
     SEGMENTS("segments"),
     /** Where the track planes expect their events; only while SOFAS itself labels them. */
-    CONTOURS("contours of the track planes");
+    CONTOURS("contours of the track planes"),
+    /** The camera's grey-level frames. */
+    GREY("grey-level frames");
 
     final String title;
 

@@ -1,6 +1,7 @@
 package io.github.sofas.render;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
@@ -48,6 +49,9 @@ public final class PictureSheet {
     private final float[] vy;
     private final int[] segment;
     private long events;
+
+    /** Null before the first one. */
+    private GreyFrame frame;
 
     private double fullPxPerS;
     private final int[] speeds = new int[16];
@@ -133,6 +137,19 @@ public final class PictureSheet {
                 segment[at] = flow.segment[i];
             }
         }
+    }
+
+    /**
+     * Takes the frame that {@link Panel#GREY} shows from now on.
+     *
+     * @throws IllegalArgumentException where it is not of the sensor's size
+     */
+    public void show(GreyFrame newFrame) {
+        if (newFrame.width() != sensor.width() || newFrame.height() != sensor.height()) {
+            throw new IllegalArgumentException("frame must be of the sensor's size " + sensor + " but was "
+                + newFrame.width() + "x" + newFrame.height());
+        }
+        frame = newFrame;
     }
 
     /**
@@ -226,8 +243,24 @@ public final class PictureSheet {
         return steps[k % 3] * power;
     }
 
+    private void paintFrame(int k) {
+        int[] grey = GreyScale.of(frame);
+        for (int row = 0; row < crop.height(); row++) {
+            int to = (top(k) + row * scale) * width + left(k);
+            for (int column = 0; column < crop.width(); column++, to += scale) {
+                fill(to, grey[frame.level(crop.x() + column, crop.y() + row)]);
+            }
+        }
+    }
+
     private void paintEvents(int k, long timeUs) {
         Panel panel = options.panels().get(k);
+        if (panel == Panel.GREY) {
+            if (frame != null) {
+                paintFrame(k);
+            }
+            return;
+        }
         int lastId = 0;
         int lastColour = 0;
         for (int row = 0; row < crop.height(); row++) {
@@ -367,6 +400,10 @@ public final class PictureSheet {
                 g.drawString("colour: where it moves", x + 58, y + 16);
                 g.drawString("full colour: " + full + " or more", x + 58, y + 32);
                 swatch(g, x + 58, y + 36, theme.faint, "no flow");
+                break;
+            case GREY:
+                g.setColor(new Color(theme.text));
+                g.drawString("the newest frame, its contrast stretched", x, y + 12);
                 break;
             default:
                 g.setColor(new Color(theme.text));

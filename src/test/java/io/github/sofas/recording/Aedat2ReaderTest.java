@@ -6,6 +6,7 @@ import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.GreyFrame;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -88,6 +89,50 @@ public class Aedat2ReaderTest {
             assertFalse(reader.next(new EventBatch(4)));
         }
         assertEquals(List.of(new ImuSample(5, 1, 2, 3), new ImuSample(6, 10, 20, 30)), samples);
+    }
+
+    /** Other than for events, raw x runs from left to right. Brightness is what the exposure took from the reset. */
+    @Test public void deliversFramesToThoseWhoWantThem() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        byte[][] records = new byte[2 * 240 * 180 + 2][];
+        int n = 0;
+        for (int read = 0; read < 2; read++) {
+            for (int x = 0; x < 240; x++) {
+                for (int y = 0; y < 180; y++) {
+                    records[n++] = aps(read * 1000 + x, x, y, read, 900 - read * 4 * x);
+                }
+            }
+        }
+        // the second signal read of a pixel begins the next frame, which is never whole
+        records[n++] = aps(5000, 0, 0, 0, 900);
+        records[n] = aps(5001, 0, 0, 1, 100);
+        Path file = Files.write(path().resolve("a.aedat"), join(header, records));
+        List<GreyFrame> frames = new ArrayList<>();
+        try (RecordingReader reader = Recordings.open(file, ReadResult.PLAIN)) {
+            reader.onFrame(frames::add);
+            assertFalse(reader.next(new EventBatch(4)));
+            assertEquals(records.length, reader.counts().apsSamples());
+        }
+        assertEquals(1, frames.size());
+        GreyFrame frame = frames.get(0);
+        assertEquals("240x180 at 1000", frame.width() + "x" + frame.height() + " at " + frame.timeUs());
+        // 900 - (900 - 4 x), then from 10 bits to 8
+        assertEquals(List.of(0, 7, 224), List.of(frame.level(0, 0), frame.level(7, 100), frame.level(224, 179)));
+    }
+
+    @Test public void frameWithoutAllItsSamplesEndsWhereTheNextBegins() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        Path file = Files.write(path().resolve("a.aedat"), join(header, aps(1, 3, 0, 0, 800), aps(2, 3, 0, 1, 400),
+                aps(3, 3, 0, 0, 800), aps(4, 3, 0, 1, 600)));
+        List<GreyFrame> frames = new ArrayList<>();
+        try (RecordingReader reader = Recordings.open(file, ReadResult.PLAIN)) {
+            reader.onFrame(frames::add);
+            assertFalse(reader.next(new EventBatch(4)));
+        }
+        assertEquals(1, frames.size());
+        assertEquals(2, frames.get(0).timeUs());
+        assertEquals(100, frames.get(0).level(3, 179));
+        assertEquals(0, frames.get(0).level(4, 179));
     }
 
     @Test public void reportsAnImuSampleThatMissesAWord() throws Exception {
@@ -254,12 +299,16 @@ public class Aedat2ReaderTest {
         return record(rawX << 12 | rawY << 22 | (polarity > 0 ? 1 << 11 : 0), time);
     }
 
+    private static byte[] aps(int time, int rawX, int rawY, int read, int sample) {
+        return record(1 << 31 | rawX << 12 | rawY << 22 | read << 10 | sample, time);
+    }
+
     private static byte[] record(int address, int time) {
         return ByteBuffer.allocate(8).putInt(address).putInt(time).array();
     }
 
     private static byte[] join(String header, byte[]... parts) {
-        ByteBuffer all = ByteBuffer.allocate(100_000).put(header.getBytes(StandardCharsets.US_ASCII));
+        ByteBuffer all = ByteBuffer.allocate(1_000_000).put(header.getBytes(StandardCharsets.US_ASCII));
         for (byte[] part : parts) {
             all.put(part);
         }

@@ -81,6 +81,22 @@ final class Aedat4Bytes {
         return finish(builder, builder.createVectorOfTables(tables), identifier);
     }
 
+    /** A frame of that format at a place of the sensor. */
+    static byte[] framePayload(long timeUs, int format, int width, int height, int left, int top, byte... pixels) {
+        FlatBufferBuilder builder = new FlatBufferBuilder().forceDefaults(true);
+        int vector = builder.createByteVector(pixels);
+        builder.startTable(11);
+        builder.addLong(0, timeUs, 0);
+        builder.addByte(5, (byte) format, 0);
+        builder.addShort(6, (short) width, 0);
+        builder.addShort(7, (short) height, 0);
+        builder.addShort(8, (short) left, 0);
+        builder.addShort(9, (short) top, 0);
+        builder.addOffset(10, vector, 0);
+        builder.finishSizePrefixed(builder.endTable(), "FRME");
+        return builder.sizedByteArray();
+    }
+
     private static byte[] finish(FlatBufferBuilder builder, int vector, String identifier) {
         builder.startTable(1);
         builder.addOffset(0, vector, 0);

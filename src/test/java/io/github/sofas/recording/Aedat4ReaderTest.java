@@ -9,6 +9,7 @@ import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.event.GreyFrame;
 import io.github.sofas.recording.Aedat4Format.Compression;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -29,6 +30,40 @@ public class Aedat4ReaderTest {
     @Rule public final TemporaryFolder folder = new TemporaryFolder();
 
     private final Aedat4Bytes bytes = new Aedat4Bytes();
+
+    /** The sensor has 16 x 12 pixels. */
+    @Test public void deliversFramesToThoseWhoWantThem() throws Exception {
+        bytes.compression = Compression.LZ4;
+        bytes.packet(FRAMES_ID, bytes.pack(Aedat4Bytes.framePayload(70, 0, 2, 1, 15, 11, (byte) 200, (byte) 9)))
+                .events(new long[] {80, 1, 2, 1})
+                .packet(FRAMES_ID, bytes.pack(Aedat4Bytes.framePayload(90, 16, 1, 1, 3, 4, (byte) 255, (byte) 0,
+                    (byte) 255)));
+        List<GreyFrame> frames = new ArrayList<>();
+        ReadResult read = ReadResult.of(path(), "a.aedat4", bytes.build(), ReadResult.PLAIN, frames::add);
+        assertEquals(List.of("80 1 2 1"), read.events);
+        assertEquals(List.of(), read.faults);
+        assertEquals(2, frames.size());
+        assertEquals("16x12 at 70", frames.get(0).width() + "x" + frames.get(0).height() + " at "
+                + frames.get(0).timeUs());
+        assertEquals(200, frames.get(0).level(15, 11));
+        assertEquals(0, frames.get(0).level(14, 11));
+        // (29 x 255 + 77 x 255) / 256
+        assertEquals(105, frames.get(1).level(3, 4));
+    }
+
+    @Test public void spoiledFramesLoseNoEvent() throws Exception {
+        bytes.packet(FRAMES_ID, Aedat4Bytes.framePayload(70, 5, 1, 1, 0, 0, (byte) 1))
+                .packet(FRAMES_ID, Aedat4Bytes.framePayload(70, 0, 16, 12, 0, 0, (byte) 1))
+                .packet(FRAMES_ID, new byte[9])
+                .events(new long[] {80, 1, 2, 1});
+        List<GreyFrame> frames = new ArrayList<>();
+        ReadResult read = ReadResult.of(path(), "a.aedat4", bytes.build(), ReadResult.PLAIN, frames::add);
+        assertEquals(List.of("80 1 2 1"), read.events);
+        assertEquals(List.of("[a.aedat4] event 0 at byte " + bytes.firstPacketAt() + ": unsupported, a frame's format "
+                + "must be one of 0, 16, 24 but was 5 (the first of 3)"), read.faults);
+        assertEquals(List.of(), frames);
+        assertEquals(3, read.counts.frames());
+    }
 
     @Test public void readsEveryCompression() throws Exception {
         for (Compression compression : Compression.values()) {

@@ -5,9 +5,11 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.Skipped;
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.GreyFrame;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.CRC32;
 import org.junit.Before;
@@ -97,6 +99,22 @@ public class RealRecordingsTest {
         assertEquals(-1_293_810_339L, read.firstTimeUs);
         assertEquals(-1_275_385_039L, read.lastTimeUs);
         assertEquals(0, read.counts.timeWraps());
+    }
+
+    @Test public void deliversTheFramesOfADavis346() throws Exception {
+        List<GreyFrame> frames = new ArrayList<>();
+        EventBatch batch = new EventBatch(4096);
+        try (RecordingReader reader = Recordings.open(FOLDER.resolve("cars.aedat4"), RecordingOptions.defaults())) {
+            reader.onFrame(frames::add);
+            while (reader.next(batch)) {
+                assertTrue(reader.faults().isEmpty());
+            }
+            assertEquals(59, frames.size());
+            for (GreyFrame frame : frames) {
+                assertEquals(346, frame.width());
+                assertTrue(Math.abs(frame.timeUs() - reader.firstTimeUs()) < 3_000_000);
+            }
+        }
     }
 
     private static Read assertFaultless(long events, String name, String chip) throws Exception {

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertThrows;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 import java.awt.image.BufferedImage;
@@ -82,6 +83,31 @@ public class PictureSheetTest {
         assertEquals(Theme.DARK.faint, rgb(picture, 48, 104));
         // the second panel begins 40 x 4 + 8 further right
         assertEquals(Theme.DARK.faint, rgb(picture, 48 + 168, 104));
+    }
+
+    @Test
+    public void frameIsShownWithItsContrastStretched() {
+        PictureSheet sheet = new PictureSheet(SENSOR, options(Panel.GREY));
+        assertEquals(Theme.DARK.sensor, rgb(sheet.paint(0, 0, null), 8, 24));
+        // columns 0 to 19 at 100, 20 to 39 at 150: black and white, all that is there
+        byte[] levels = new byte[40 * 30];
+        for (int i = 0; i < levels.length; i++) {
+            levels[i] = (byte) (i % 40 < 20 ? 100 : 150);
+        }
+        levels[0] = 125;
+        sheet.show(new GreyFrame(0, 40, 30, levels));
+        BufferedImage picture = sheet.paint(0, 0, null);
+        // 255 x 25 / 50
+        assertEquals(0x7F7F7F, rgb(picture, 8, 24));
+        assertEquals(0x000000, rgb(picture, 8 + 4, 24));
+        assertEquals(0xFFFFFF, rgb(picture, 8 + 20 * 4, 24));
+    }
+
+    @Test
+    public void frameOfAnotherSizeIsRefused() {
+        PictureSheet sheet = new PictureSheet(SENSOR, options(Panel.GREY));
+        assertEquals("frame must be of the sensor's size 40x30 but was 1x1", assertThrows(
+            IllegalArgumentException.class, () -> sheet.show(new GreyFrame(0, 1, 1, new byte[1]))).getMessage());
     }
 
     @Test

@@ -1,0 +1,29 @@
+package io.github.sofas.event;
+
+/**
+ * A picture by the intensity pixels that some event cameras have beside the change pixels. x runs right, y down, as for
+ * events.
+ *
+ * @param timeUs time in µs, on the events' clock
+ * @param width columns
+ * @param height rows
+ * @param levels brightness from 0, dark, to 255, as unsigned bytes, row by row; not to be changed
+ */
+public record GreyFrame(long timeUs, int width, int height, byte[] levels) {
+    /**
+     * Checks the size.
+     *
+     * @throws IllegalArgumentException where there is not one level for each pixel
+     */
+    public GreyFrame {
+        if (levels.length != width * height) {
+            throw new IllegalArgumentException("a frame of " + width + "x" + height + " must have " + width * height
+                + " levels but had " + levels.length);
+        }
+    }
+
+    /** Brightness of a pixel, 0 to 255. */
+    public int level(int x, int y) {
+        return levels[y * width + x] & 0xFF;
+    }
+}
