@@ -151,12 +151,16 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
             out.writeInt(-1);
             out.close();
             process.waitFor(5, TimeUnit.SECONDS);
-            Files.deleteIfExists(log);
         } catch (IOException e) {
             // it has ended already
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
         process.destroy();
+        try {
+            Files.deleteIfExists(log);
+        } catch (IOException e) {
+            // a file in the folder for temporary files stays behind
+        }
     }
 }
