@@ -99,7 +99,7 @@ public class Aedat2ReaderTest {
         for (int read = 0; read < 2; read++) {
             for (int x = 0; x < 240; x++) {
                 for (int y = 0; y < 180; y++) {
-                    records[n++] = aps(read * 1000 + x, x, y, read, 900 - read * 4 * x);
+                    records[n++] = aps(read * 1000 + x, x, y, read, 1000 - read * 4 * x);
                 }
             }
         }
@@ -116,7 +116,7 @@ public class Aedat2ReaderTest {
         assertEquals(1, frames.size());
         GreyFrame frame = frames.get(0);
         assertEquals("240x180 at 1000", frame.width() + "x" + frame.height() + " at " + frame.timeUs());
-        // 900 - (900 - 4 x), then from 10 bits to 8
+        // 1000 - (1000 - 4 x), then from 10 bits to 8
         assertEquals(List.of(0, 7, 224), List.of(frame.level(0, 0), frame.level(7, 100), frame.level(224, 179)));
     }
 
