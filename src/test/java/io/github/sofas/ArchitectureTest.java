@@ -30,14 +30,15 @@ public class ArchitectureTest {
         Map.entry("host", Set.of("event", "flow")),
         Map.entry("export", Set.of("event", "flow")),
         Map.entry("render", Set.of("event", "flow")),
+        Map.entry("report", Set.of("event", "flow", "export", "render")),
         Map.entry("baseline", Set.of("event", "flow")),
         Map.entry("simulate", Set.of("event")),
         Map.entry("evaluate", Set.of("event", "flow", "recording", "export", "baseline", "simulate")),
         Map.entry("experiments", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate",
             "evaluate")),
         Map.entry("benchmark", Set.of("event", "flow", "recording", "export", "simulate")),
-        Map.entry("cli", Set.of("event", "flow", "recording", "live", "host", "export", "render", "baseline",
-            "simulate", "evaluate", "experiments", "benchmark")));
+        Map.entry("cli", Set.of("event", "flow", "recording", "live", "host", "export", "render", "report",
+            "baseline", "simulate", "evaluate", "experiments", "benchmark")));
 
     private static final JavaClasses MAIN = new ClassFileImporter()
         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)

@@ -13,6 +13,7 @@ import io.github.sofas.flow.Segment;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
+import io.github.sofas.report.ReportCollector;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
@@ -32,8 +33,10 @@ import java.util.stream.Stream;
  * @param method labels the events
  * @param out folder of the results
  * @param name of the results, without their endings
+ * @param reportedCommand what the report says was typed; null where no report is written
  */
-record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name) {
+record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name,
+                    String reportedCommand) {
     /** Events labelled at once: few enough to stay in a core's cache from reader to writer. */
     private static final int BATCH = 4096;
 
@@ -67,6 +70,19 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             .toList();
     }
 
+    private Path reportFile() {
+        return out.resolve(name + ".report.html");
+    }
+
+    /** The results of this run that exist. */
+    List<Path> existing() {
+        List<Path> existing = new ArrayList<>(existing(out, name));
+        if (reportedCommand != null && Files.exists(reportFile())) {
+            existing.add(reportFile());
+        }
+        return existing;
+    }
+
     /**
      * Runs. A damaged recording has results too, of every event before the damage.
      *
@@ -75,7 +91,9 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
      */
     Outcome run(RunProgress progress) throws EventSourceException, IOException {
         long start = System.nanoTime();
-        try (RecordingReader reader = Recordings.open(recording, options); ResultFiles results = new ResultFiles()) {
+        try (RecordingReader reader = Recordings.open(recording, options);
+                ResultFiles results = new ResultFiles();
+                ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor())) {
             List<Segment> segments = new ArrayList<>();
             EventLabeller labeller = method.make(reader.sensor(), segments::add);
             EventBatch batch = new EventBatch(BATCH);
@@ -104,6 +122,9 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
                     long beforeOutput = System.nanoTime();
                     engineNs += beforeOutput - beforeEngine;
                     csv.write(batch, flow);
+                    if (report != null) {
+                        report.add(batch, flow);
+                    }
                     outputNs += System.nanoTime() - beforeOutput;
                     int withFlow = countWithFlow(batch, flow);
                     eventsWithFlow += withFlow;
@@ -120,6 +141,11 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
                 method.parameters(), eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
                 peakHeapBytes());
             writeSegmentsAndSummary(results, out, name, summary);
+            if (report != null) {
+                try (OutputStream file = results.create(reportFile())) {
+                    report.write(file, summary, reportedCommand);
+                }
+            }
             results.commit();
             return new Outcome(summary, damage);
         }

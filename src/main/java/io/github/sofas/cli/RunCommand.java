@@ -14,6 +14,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -46,6 +47,10 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
         description = "Where the results go; made where it does not exist.")
     private Path out;
+
+    @Option(names = "--report",
+        description = "Also write NAME.report.html: a page with curves, pictures and a clip that needs no other file.")
+    private boolean report;
 
     @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
     private boolean force;
@@ -112,7 +117,9 @@ final class RunCommand implements Callable<Integer> {
         try {
             Map<String, Path> named = RecordingArguments.byName(RecordingArguments.expand(arguments),
                 nameWithExtension);
-            named.forEach((name, recording) -> runs.add(new RecordingRun(recording, options, method, out, name)));
+            String reported = report ? typed() : null;
+            named.forEach((name, recording) ->
+                runs.add(new RecordingRun(recording, options, method, out, name, reported)));
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
@@ -123,12 +130,19 @@ final class RunCommand implements Callable<Integer> {
         }
         if (!force) {
             for (RecordingRun run : runs) {
-                for (Path existing : RecordingRun.existing(out, run.name())) {
+                for (Path existing : run.existing()) {
                     throw usage("[" + existing + "] exists already; --force replaces it");
                 }
             }
         }
         return runs;
+    }
+
+    /** The command as a shell takes it. */
+    private String typed() {
+        return spec.commandLine().getParent().getParseResult().originalArgs().stream()
+            .map(each -> each.matches("[\\w./=:,+-]+") ? each : "'" + each.replace("'", "'\\''") + "'")
+            .collect(Collectors.joining(" ", "./sofas ", ""));
     }
 
     private ParameterException usage(String message) {

@@ -46,6 +46,7 @@ public final class Mp4Film implements Film {
     private Picture converted;
     private ByteBuffer buffer;
     private int pictures;
+    private boolean closed;
 
     /** Takes the same coarseness for every block, so that no block is encoded twice. */
     private static final class ConstantQuality implements RateControl {
@@ -123,9 +124,13 @@ public final class Mp4Film implements Film {
         }
     }
 
-    /** Completes the file; one without pictures stays empty. */
+    /** Completes the file; one without pictures stays empty. May be called more than once. */
     @Override
     public void close() throws IOException {
+        if (closed) {
+            return;
+        }
+        closed = true;
         try {
             if (track != null) {
                 muxer.finish();

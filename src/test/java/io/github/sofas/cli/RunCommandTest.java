@@ -472,4 +472,17 @@ public class RunCommandTest {
         assertEquals(1, run.exitCode);
         assertEquals(Set.of("edge.summary.json"), filesIn(out));
     }
+
+    @Test
+    public void reportIsOnePageThatNeedsNoOther() throws IOException {
+        Executed executed = run("--report", "-q", HEXAGON);
+        assertEquals(executed.err, 0, executed.exitCode);
+        String page = Files.readString(out.resolve("hexagon.report.html"));
+        assertTrue(page.contains("26,101"));
+        assertTrue(page.contains("./sofas run --out "));
+        assertTrue(page.contains("<video controls loop muted playsinline src=\"data:video/mp4;base64,"));
+        assertFalse("everything is inside", page.matches("(?s).*(src|href)=\"(?!data:).*"));
+        Executed again = run("--report", "-q", HEXAGON);
+        assertEquals(2, again.exitCode);
+    }
 }

@@ -1,0 +1,58 @@
+package io.github.sofas.report;
+
+import java.util.Arrays;
+
+/** Sums over equal parts of time; where there are too many parts, neighbours are added and all are twice as long. */
+final class TimeBins {
+    static final int MOST = 512;
+    private static final long FIRST_WIDTH_US = 10_000;
+
+    private long widthUs = FIRST_WIDTH_US;
+    private int used;
+    private final long[] events = new long[MOST];
+    private final long[] withFlow = new long[MOST];
+
+    /** The bin of a time since the recording's first event; makes room for it. */
+    int place(long sinceFirstUs) {
+        while (sinceFirstUs / widthUs >= MOST) {
+            for (int i = 0; i < MOST / 2; i++) {
+                events[i] = events[2 * i] + events[2 * i + 1];
+                withFlow[i] = withFlow[2 * i] + withFlow[2 * i + 1];
+            }
+            Arrays.fill(events, MOST / 2, MOST, 0);
+            Arrays.fill(withFlow, MOST / 2, MOST, 0);
+            used = (used + 1) / 2;
+            widthUs *= 2;
+        }
+        int place = (int) (sinceFirstUs / widthUs);
+        used = Math.max(used, place + 1);
+        return place;
+    }
+
+    void add(int place, boolean hasFlow) {
+        events[place]++;
+        withFlow[place] += hasFlow ? 1 : 0;
+    }
+
+    int used() {
+        return used;
+    }
+
+    double widthS() {
+        return widthUs * 1e-6;
+    }
+
+    long widthUs() {
+        return widthUs;
+    }
+
+    /** Events a second. */
+    double rate(int place) {
+        return events[place] / widthS();
+    }
+
+    /** Percent of the events; not a number where there is none. */
+    double share(int place) {
+        return events[place] == 0 ? Double.NaN : 100.0 * withFlow[place] / events[place];
+    }
+}
