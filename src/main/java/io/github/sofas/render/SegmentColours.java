@@ -1,23 +1,23 @@
 package io.github.sofas.render;
 
-import java.util.HashMap;
-import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * Colours of segments: each keeps its colour for life, and two that are seen together have different ones as long as
- * there are enough. A new segment gets the colour that has not been seen for longest.
+ * there are enough; beyond, two share one. A new segment gets the colour that has not been seen for longest.
  */
 public final class SegmentColours {
+    /** Segments remembered: ids rise, so that the lowest are long gone when there are so many. */
+    private static final int MOST = 4096;
+
     private final int[] colours;
-    private final Map<Integer, Integer> placeById = new HashMap<>();
-    private final int[] holder;
+    private final TreeMap<Integer, Integer> placeById = new TreeMap<>();
     private final long[] lastSeen;
     private long clock;
 
     /** Makes the colours of a theme, none of them given to a segment yet. */
     public SegmentColours(Theme theme) {
         colours = theme.segments;
-        holder = new int[colours.length];
         lastSeen = new long[colours.length];
     }
 
@@ -27,10 +27,10 @@ public final class SegmentColours {
         Integer place = placeById.get(id);
         if (place == null) {
             place = longestUnseen();
-            // one holder a colour: what has not been seen for long is forgotten, so that memory is bounded
-            placeById.remove(holder[place]);
-            holder[place] = id;
             placeById.put(id, place);
+            if (placeById.size() > MOST) {
+                placeById.pollFirstEntry();
+            }
         }
         lastSeen[place] = clock;
         return colours[place];

@@ -27,6 +27,8 @@ final class ReportPage {
     /** Segments drawn as curves, and as life lines: those with the most events. */
     private static final int CURVES = 10;
     private static final int LINES = 40;
+    /** Ends of the axis of directions, in degrees; no other axis begins below 0. */
+    private static final int HALF_TURN = 180;
 
     private final RunSummary summary;
     private final String command;
@@ -139,7 +141,8 @@ final class ReportPage {
             }
         }
         html.append("<h2>Segments</h2><p>");
-        html.append(curves.size() > CURVES ? "The " + CURVES + " with the most events:" : "By number:");
+        html.append(curves.size() > CURVES ? "The " + CURVES + " with the most events," : "By number,");
+        html.append(" with the numbers of the clip but colours of their own:");
         for (int k = 0; k < drawn.size(); k++) {
             html.append(" <span class=\"key c").append(k).append("\">").append(drawn.get(k).id).append("</span>");
         }
@@ -150,10 +153,11 @@ final class ReportPage {
             curve("segment " + curve.id, "c" + k, curve.first(), curve.used(), curve::speed, 0, most);
         }
         endPlot();
-        beginPlot("Direction: 0 right, 90 up, ±180 left", -180, 180, "°");
+        beginPlot("Direction: 0 right, 90 up, ±180 left", -HALF_TURN, HALF_TURN, "°");
         for (int k = 0; k < drawn.size(); k++) {
             SegmentCurve curve = drawn.get(k);
-            curve("segment " + curve.id, "c" + k, curve.first(), curve.used(), curve::directionDeg, -180, 180);
+            curve("segment " + curve.id, "c" + k, curve.first(), curve.used(), curve::directionDeg, -HALF_TURN,
+                HALF_TURN);
         }
         endPlot();
         html.append("</div>\n");
@@ -170,7 +174,7 @@ final class ReportPage {
             html.append("<p>The ").append(LINES).append(" with the most events of ")
                 .append(summary.segments().size()).append(".</p>");
         }
-        html.append("<svg class=\"plot\" data-to=\"").append(durationS).append("\" viewBox=\"0 0 ").append(WIDTH)
+        html.append("<svg class=\"plot lives\" data-to=\"").append(durationS).append("\" viewBox=\"0 0 ").append(WIDTH)
             .append(' ').append(height).append("\" role=\"img\" aria-label=\"life lines of the segments\">");
         for (int i = 0; i < shown.size(); i++) {
             Segment segment = shown.get(i);
@@ -268,12 +272,16 @@ final class ReportPage {
                        double to) {
         html.append("<path class=\"line ").append(style).append("\" d=\"");
         boolean pen = false;
+        double last = 0;
         for (int i = 0; i < count; i++) {
             double v = value.applyAsDouble(i);
             if (Double.isNaN(v)) {
                 pen = false;
                 continue;
             }
+            // from -180 to 180 degrees is no way
+            pen &= from != -HALF_TURN || Math.abs(v - last) <= HALF_TURN;
+            last = v;
             // a point alone is a line of no length, which round ends make a dot
             html.append(String.format(Locale.ROOT, pen ? "L%.1f %.1f" : "M%1$.1f %2$.1fL%1$.1f %2$.1f",
                 x((first + i + 0.5) * bins.widthS()), y(v, from, to)));

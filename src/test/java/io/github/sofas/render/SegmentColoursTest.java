@@ -25,7 +25,7 @@ public class SegmentColoursTest {
         SegmentColours colours = new SegmentColours(Theme.DARK);
         int first = colours.rgb(7);
         for (int id = 100; id < 200; id++) {
-            assertNotEquals(first, colours.rgb(id));
+            assertNotEquals("seen before every new one, so never the longest unseen", first, colours.rgb(id));
             assertEquals(first, colours.rgb(7));
         }
     }
@@ -38,5 +38,17 @@ public class SegmentColoursTest {
             colours.rgb(id);
         }
         assertEquals(first, colours.rgb(13));
+    }
+
+    @Test
+    public void segmentsKeepTheirColoursEvenWhereTheyAreMoreThanThese() {
+        SegmentColours colours = new SegmentColours(Theme.DARK);
+        int[] first = new int[16];
+        for (int id = 1; id <= 16; id++) {
+            first[id - 1] = colours.rgb(id);
+        }
+        for (int id = 1; id <= 16; id++) {
+            assertEquals(first[id - 1], colours.rgb(id));
+        }
     }
 }
