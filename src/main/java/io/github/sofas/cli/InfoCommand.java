@@ -5,6 +5,7 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.Json;
 import io.github.sofas.export.RecordingSummary;
+import io.github.sofas.recording.Printable;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
 import java.io.ByteArrayOutputStream;
@@ -109,7 +110,7 @@ final class InfoCommand implements Callable<Integer> {
     }
 
     private static void print(RecordingSummary recording, PrintWriter out) {
-        out.println(recording.file());
+        out.println(Printable.of(recording.file()));
         line(out, "format", recording.format());
         line(out, "chip", recording.chip().isEmpty() ? "not named" : recording.chip());
         line(out, "sensor", recording.sensor() + " px");

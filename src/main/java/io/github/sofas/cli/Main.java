@@ -1,5 +1,6 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.recording.Printable;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import picocli.CommandLine;
@@ -43,8 +44,10 @@ public final class Main {
         commandLine.setErr(err);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         commandLine.setUsageHelpAutoWidth(true);
+        // A recording may be named @list, and is not a list of arguments.
+        commandLine.setExpandAtFiles(false);
         commandLine.setParameterExceptionHandler((exception, ignored) -> {
-            err.println(exception.getMessage());
+            exception.getMessage().lines().map(Printable::of).forEach(err::println);
             CommandLine.UnmatchedArgumentException.printSuggestions(exception, err);
             err.println("Try '" + exception.getCommandLine().getCommandSpec().qualifiedName() + " --help'.");
             return USAGE;

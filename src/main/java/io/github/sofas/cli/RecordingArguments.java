@@ -124,9 +124,14 @@ final class RecordingArguments {
         return false;
     }
 
+    /** A link that leads nowhere is not passed over in silence: it fails when it is opened. */
+    private static boolean mayBeRecording(Path file) {
+        return Files.isRegularFile(file) || Files.isSymbolicLink(file) && !Files.exists(file);
+    }
+
     private static List<Path> list(Path folder, int depth, Predicate<Path> wanted) {
         try (Stream<Path> files = Files.walk(folder, depth)) {
-            return files.filter(Files::isRegularFile).filter(wanted).sorted().toList();
+            return files.filter(RecordingArguments::mayBeRecording).filter(wanted).sorted().toList();
         } catch (IOException | UncheckedIOException e) {
             throw new IllegalArgumentException("[" + folder + "] cannot be listed: " + e.getMessage(), e);
         }

@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.recording.Printable;
 import io.github.sofas.recording.RecordingOptions;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -102,7 +103,7 @@ final class RunCommand implements Callable<Integer> {
             return Main.OK;
         }
         err.println(failed.size() + " of " + runs.size() + (runs.size() == 1 ? " recording" : " recordings")
-            + " failed: " + String.join(", ", failed));
+            + " failed: " + Printable.of(String.join(", ", failed)));
         return Main.FAILED;
     }
 

@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.export.RunSummary;
+import io.github.sofas.recording.Printable;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.PrintWriter;
@@ -116,7 +117,7 @@ final class RunProgress implements AutoCloseable {
     /** Shows a line, above the bar where there is one. */
     synchronized void say(String line) {
         clear();
-        err.println(line);
+        err.println(Printable.of(line));
     }
 
     /** Wipes the bar's line until it is drawn again. */

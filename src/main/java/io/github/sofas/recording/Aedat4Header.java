@@ -105,7 +105,7 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
             root = builder.parse(new InputSource(new StringReader(xml))).getDocumentElement();
         } catch (SAXException e) {
             throw bad(file, "malformed, the streams must be declared in XML without a document type but were not: "
-                    + e.getMessage(), e);
+                    + Printable.shortened(e.getMessage()), e);
         } catch (ParserConfigurationException e) {
             throw new IllegalStateException("the JDK's XML parser has no secure processing", e);
         }
@@ -120,7 +120,7 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
                                     attribute(info, "sizeX"), attribute(info, "sizeY")));
                 } catch (NumberFormatException e) {
                     throw bad(file, "malformed, a stream's name must be a number but was \""
-                            + stream.getAttribute("name") + "\"", e);
+                            + Printable.shortened(stream.getAttribute("name")) + "\"", e);
                 }
             }
         }
@@ -148,7 +148,7 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
         for (Node child = node == null ? null : node.getFirstChild(); child != null; child = child.getNextSibling()) {
             if (child instanceof Element element && element.getTagName().equals("attr")
                     && element.getAttribute("key").equals(key)) {
-                return element.getTextContent().strip();
+                return Printable.shortened(element.getTextContent().strip());
             }
         }
         return null;

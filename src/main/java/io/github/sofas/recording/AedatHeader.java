@@ -61,12 +61,12 @@ record AedatHeader(String chip, Integer source, String encoding, boolean hasEndL
             Matcher sourceLine = SOURCE.matcher(text);
             Matcher encodingLine = ENCODING.matcher(text);
             if (chip == null && chipLine.matches()) {
-                chip = chipLine.group(1);
+                chip = Printable.shortened(chipLine.group(1));
             } else if (chip == null && sourceLine.matches()) {
                 source = Integer.valueOf(sourceLine.group(1));
-                chip = sourceLine.group(2);
+                chip = Printable.shortened(sourceLine.group(2));
             } else if (encoding == null && encodingLine.matches()) {
-                encoding = encodingLine.group(1);
+                encoding = Printable.shortened(encodingLine.group(1));
             }
         }
         return new AedatHeader(chip, source, encoding, hasEndLine);

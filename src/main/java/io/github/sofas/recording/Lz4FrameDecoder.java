@@ -125,7 +125,7 @@ final class Lz4FrameDecoder {
                 fault = "unsupported, a packet must unpack to at most " + maxBytes + " bytes";
                 return;
             }
-            reserve(maxBlockBytes);
+            reserve(maxBlockBytes, maxBytes);
             if (header < 0) {
                 System.arraycopy(input, p, output, length, have);
                 length += have;
@@ -150,9 +150,10 @@ final class Lz4FrameDecoder {
         }
     }
 
-    private void reserve(int bytes) {
+    private void reserve(int bytes, int maxBytes) {
         if (output.length - SLACK < length + bytes) {
-            output = Arrays.copyOf(output, Math.max(length + bytes + SLACK, output.length + (output.length >> 1)));
+            int roomy = Math.min(maxBytes + SLACK, output.length + (output.length >> 1));
+            output = Arrays.copyOf(output, Math.max(length + bytes + SLACK, roomy));
         }
     }
 

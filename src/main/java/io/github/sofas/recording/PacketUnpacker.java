@@ -111,7 +111,8 @@ final class PacketUnpacker implements Closeable {
             return false;
         }
         if (output.length - length < bytes) {
-            output = Arrays.copyOf(output, Math.max(length + bytes, output.length + (output.length >> 1)));
+            int roomy = Math.min(maxBytes, output.length + (output.length >> 1));
+            output = Arrays.copyOf(output, Math.max(length + bytes, roomy));
         }
         unpackedChunk.get(output, length, bytes);
         length += bytes;

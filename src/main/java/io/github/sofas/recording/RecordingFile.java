@@ -15,6 +15,7 @@ final class RecordingFile implements Closeable {
     /** Large enough that a read costs little an event, small enough to stay in the second-level cache. */
     static final int BUFFER_BYTES = 128 * 1024;
 
+    /** The file's name, as messages show it. */
     final String name;
     final byte[] buffer = new byte[BUFFER_BYTES];
     int position;
@@ -25,7 +26,7 @@ final class RecordingFile implements Closeable {
     private long bufferOffset;
 
     RecordingFile(Path path) throws IOException {
-        name = path.getFileName() == null ? path.toString() : path.getFileName().toString();
+        name = Printable.of(path.getFileName() == null ? path.toString() : path.getFileName().toString());
         channel = FileChannel.open(path, StandardOpenOption.READ);
     }
 

@@ -156,7 +156,7 @@ public abstract class RecordingReader implements EventSource {
                 damage = e;
             } catch (IOException e) {
                 damage = new EventSourceException("[" + file.name + "] event " + eventNumber(0) + " at byte "
-                        + file.offset() + ": cannot be read: " + e, e);
+                        + file.offset() + ": cannot be read: " + Printable.of(e.toString()), e);
             }
         }
         if (batch.size() > 0) {

@@ -3,6 +3,7 @@ package io.github.sofas.recording;
 import io.github.sofas.event.EventSourceException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -29,19 +30,22 @@ public final class Recordings {
      *     by the options; the message then lists the known ones
      */
     public static RecordingReader open(Path path, RecordingOptions options) throws EventSourceException {
+        String failed = "[" + Printable.of(path.toString()) + "] cannot be opened: ";
         RecordingFile file = null;
         RecordingReader reader = null;
         try {
             if (Files.isDirectory(path)) {
-                throw new EventSourceException("[" + path + "] cannot be opened: is a directory");
+                throw new EventSourceException(failed + "is a directory");
             }
             file = new RecordingFile(path);
             reader = readerFor(file, options);
             return reader;
         } catch (NoSuchFileException e) {
-            throw new EventSourceException("[" + path + "] cannot be opened: no such file", e);
+            throw new EventSourceException(failed + "no such file", e);
+        } catch (AccessDeniedException e) {
+            throw new EventSourceException(failed + "no permission to read it", e);
         } catch (IOException e) {
-            throw new EventSourceException("[" + path + "] cannot be opened: " + e, e);
+            throw new EventSourceException(failed + Printable.of(e.toString()), e);
         } finally {
             if (file != null && reader == null) {
                 closeQuietly(file);
@@ -146,7 +150,8 @@ public final class Recordings {
         while (end < Math.min(file.available(), AEDAT_MAGIC.length + VERSION_BYTES) && file.buffer[end] > ' ') {
             end++;
         }
-        return new String(file.buffer, AEDAT_MAGIC.length, end - AEDAT_MAGIC.length, StandardCharsets.US_ASCII);
+        return Printable.of(new String(file.buffer, AEDAT_MAGIC.length, end - AEDAT_MAGIC.length,
+                StandardCharsets.US_ASCII));
     }
 
     private static void closeQuietly(RecordingFile file) {

@@ -150,7 +150,7 @@ final class TextReader extends RecordingReader {
             if (seconds.precision() - (long) seconds.scale() > MAX_FAST_DIGITS + 1
                     || seconds.abs().compareTo(MAX_SECONDS) >= 0) {
                 throw malformed(0, line, "malformed, time must be smaller than " + MAX_SECONDS.toPlainString()
-                        + " s but was " + text);
+                        + " s but was " + Printable.shortened(text));
             }
             if (seconds.precision() - (long) seconds.scale() < -FRACTION_DIGITS - 1) {
                 return 0;
@@ -192,8 +192,8 @@ final class TextReader extends RecordingReader {
 
     /** A line in a message: one that is long, or not text at all, must not fill the screen. */
     private String shown(int start, int end) {
-        String all = text(start, Math.min(end, start + SHOWN_CHARACTERS)).strip().replaceAll("\\p{Cntrl}", "?");
-        return "\"" + all + (end - start > SHOWN_CHARACTERS ? "..." : "") + "\"";
+        String all = text(start, Math.min(end, start + SHOWN_CHARACTERS)).strip();
+        return "\"" + Printable.of(all) + (end - start > SHOWN_CHARACTERS ? "..." : "") + "\"";
     }
 
     /** Text has lines instead of bytes. */

@@ -46,7 +46,7 @@ public class HostileEventsTest {
         return 31 * sum + ended.hashCode();
     }
 
-    private static void check(String name, Segment s, SensorSize sensor) {
+    static void check(String name, Segment s, SensorSize sensor) {
         assertTrue(name + ": " + s, Float.isFinite(s.vxPxPerS()) && Float.isFinite(s.vyPxPerS()));
         assertTrue(name + ": " + s, s.minX() >= 0 && s.minX() <= s.maxX() && s.maxX() < sensor.width());
         assertTrue(name + ": " + s, s.minY() >= 0 && s.minY() <= s.maxY() && s.maxY() < sensor.height());

@@ -1,0 +1,25 @@
+package io.github.sofas.recording;
+
+/**
+ * Text from a file, or a file's name, as part of a line on a terminal: its control characters could move the cursor or
+ * worse, so that each is shown as a question mark.
+ */
+public final class Printable {
+    private static final int LONGEST = 200;
+
+    private Printable() {
+    }
+
+    /** The text without control characters. */
+    public static String of(String text) {
+        return text.replaceAll("\\p{Cc}", "?");
+    }
+
+    /** The same, cut where it is longer than a terminal's lines; null stays null. */
+    static String shortened(String text) {
+        if (text == null) {
+            return null;
+        }
+        return of(text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text);
+    }
+}
