@@ -77,7 +77,7 @@ final class ExperimentsCommand implements Callable<Integer> {
             }
             return experiments.failures().isEmpty() ? Main.OK : Main.FAILED;
         } catch (IOException e) {
-            err.println("[" + out + "] cannot be written: " + e);
+            err.println("[" + out + "] cannot be written: " + FileFailure.text(e));
             return Main.FAILED;
         }
     }

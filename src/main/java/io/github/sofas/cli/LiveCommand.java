@@ -109,7 +109,7 @@ final class LiveCommand implements Callable<Integer> {
         } catch (UsbException e) {
             err.println("USB cannot be used: " + e.getMessage());
         } catch (IOException e) {
-            err.println("[" + out + "] results cannot be written: " + e.getMessage());
+            err.println("[" + out + "] results cannot be written: " + FileFailure.text(e));
         }
         return Main.FAILED;
     }
@@ -149,7 +149,7 @@ final class LiveCommand implements Callable<Integer> {
         try {
             Files.createDirectories(out);
         } catch (IOException e) {
-            throw usage("[" + out + "] cannot be made a directory: " + e);
+            throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
         }
         List<Path> existing = new ArrayList<>(RecordingRun.existing(out, name));
         if (record != null && Files.exists(record)) {

@@ -162,7 +162,7 @@ final class LiveRun {
         RecordingSummary read = new RecordingSummary(source.name(), source.formatName(), source.chip().name(),
             source.sensor(), events, firstTimeUs, lastTimeUs, counts, failure == null, faults);
         RunSummary.Seconds seconds = new RunSummary.Seconds(wallS, source.decodeS(), engineNs / 1e9, outputNs / 1e9);
-        return new RunSummary(Version.text(), read, method.method(), method.preset(), method.parameters(),
+        return new RunSummary(Version.text(), "", read, method.method(), method.preset(), method.parameters(),
             eventsWithFlow, segments, source.dropped(), seconds, RecordingRun.peakHeapBytes());
     }
 }

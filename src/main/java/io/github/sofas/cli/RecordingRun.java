@@ -14,14 +14,19 @@ import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
 import io.github.sofas.report.ReportCollector;
+import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -84,6 +89,34 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     }
 
     /**
+     * Fingerprint of all that the results follow from: the recording's size and time of change, how it is read, the
+     * method with its parameters, the program's version.
+     */
+    String request() {
+        File file = recording.toFile();
+        List<Object> all = List.of(Version.text(), file.length(), file.lastModified(), String.valueOf(options.chip()),
+            options.strict(), method.method(), method.preset(), method.parameters(), reportedCommand != null);
+        try {
+            byte[] hash = MessageDigest.getInstance("SHA-256").digest(all.toString().getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(hash);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    /** Whether the results of this very run are there, of the whole recording. */
+    boolean isDone() {
+        EarlierRun earlier = EarlierRun.of(summaryFile(out, name));
+        return earlier != null && earlier.complete() && request().equals(earlier.request());
+    }
+
+    /** Whether the results that are there are a part of this run's, or of a damaged recording: it may replace them. */
+    boolean isBegun() {
+        EarlierRun earlier = EarlierRun.of(summaryFile(out, name));
+        return earlier == null ? !Files.exists(summaryFile(out, name)) : request().equals(earlier.request());
+    }
+
+    /**
      * Runs. A damaged recording has results too, of every event before the damage.
      *
      * @throws EventSourceException where the recording cannot be opened; there are no results then
@@ -91,6 +124,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
      */
     Outcome run(RunProgress progress) throws EventSourceException, IOException {
         long start = System.nanoTime();
+        String request = request();
         try (RecordingReader reader = Recordings.open(recording, options);
                 ResultFiles results = new ResultFiles();
                 ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor())) {
@@ -137,22 +171,22 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9, decodeNs / 1e9,
                 engineNs / 1e9, outputNs / 1e9);
             RecordingSummary read = Summaries.of(recording, reader, damage);
-            RunSummary summary = new RunSummary(Version.text(), read, method.method(), method.preset(),
+            RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
                 method.parameters(), eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
                 peakHeapBytes());
-            writeSegmentsAndSummary(results, out, name, summary);
             if (report != null) {
                 try (OutputStream file = results.create(reportFile())) {
                     report.write(file, summary, reportedCommand);
                 }
             }
+            writeSegmentsAndSummary(results, out, name, summary);
             results.commit();
             return new Outcome(summary, damage);
         }
     }
 
     /**
-     * Writes what is known only at the end.
+     * Writes what is known only at the end; the summary last, which tells that the others are whole.
      *
      * @throws IOException where it cannot be written
      */

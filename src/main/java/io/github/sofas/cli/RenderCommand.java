@@ -155,7 +155,7 @@ final class RenderCommand implements Callable<Integer> {
         } catch (EventSourceException e) {
             err.println(e.getMessage());
         } catch (IOException e) {
-            err.println("[" + run.file() + "] cannot be written: " + e.getMessage());
+            err.println("[" + run.file() + "] cannot be written: " + FileFailure.text(e));
         }
         return Main.FAILED;
     }
@@ -204,7 +204,7 @@ final class RenderCommand implements Callable<Integer> {
         try {
             Files.createDirectories(out);
         } catch (IOException e) {
-            throw usage("[" + out + "] cannot be made a directory: " + e);
+            throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
         }
         RenderRun.Timing timing = new RenderRun.Timing(times.fps, 1e6 / (times.fps * times.slow), times.every,
             times.fromS, times.toS, times.maxPictures);

@@ -56,6 +56,11 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
     private boolean force;
 
+    @Option(names = "--resume",
+        description = "Go on with a batch that was stopped: pass over recordings whose results are complete, of the "
+            + "same recording, parameters and version.")
+    private boolean resume;
+
     @Option(names = "--name-with-extension",
         description = "Keep the extension in NAME, for recordings that differ in nothing else.")
     private boolean nameWithExtension;
@@ -83,6 +88,9 @@ final class RunCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         List<RecordingRun> runs = check();
+        if (runs.isEmpty()) {
+            return Main.OK;
+        }
         PrintWriter err = spec.commandLine().getErr();
         List<String> failed = new ArrayList<>();
         ExecutorService pool = Executors.newFixedThreadPool(Math.min(jobs, runs.size()));
@@ -127,10 +135,16 @@ final class RunCommand implements Callable<Integer> {
         try {
             Files.createDirectories(out);
         } catch (IOException e) {
-            throw usage("[" + out + "] cannot be made a directory: " + e);
+            throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
+        }
+        if (resume) {
+            runs.removeIf(this::isDone);
         }
         if (!force) {
             for (RecordingRun run : runs) {
+                if (resume && run.isBegun()) {
+                    continue;
+                }
                 for (Path existing : run.existing()) {
                     throw usage("[" + existing + "] exists already; --force replaces it");
                 }
@@ -144,6 +158,14 @@ final class RunCommand implements Callable<Integer> {
         return spec.commandLine().getParent().getParseResult().originalArgs().stream()
             .map(each -> each.matches("[\\w./=:,+-]+") ? each : "'" + each.replace("'", "'\\''") + "'")
             .collect(Collectors.joining(" ", "./sofas ", ""));
+    }
+
+    private boolean isDone(RecordingRun run) {
+        boolean done = run.isDone();
+        if (done && !quiet) {
+            spec.commandLine().getErr().println(Printable.of(run.name() + ": results are complete, passed over"));
+        }
+        return done;
     }
 
     private ParameterException usage(String message) {
@@ -173,7 +195,7 @@ final class RunCommand implements Callable<Integer> {
             if (cause instanceof EventSourceException) {
                 progress.say(cause.getMessage());
             } else if (cause instanceof IOException) {
-                progress.say(place + "results cannot be written: " + cause.getMessage());
+                progress.say(place + "results cannot be written: " + FileFailure.text((IOException) cause));
             } else {
                 progress.clear();
                 sofas.printUnexpected(spec.commandLine().getErr(), place, cause);

@@ -172,7 +172,7 @@ final class SimulateCommand implements Callable<Integer> {
             }
             return Main.OK;
         } catch (IOException e) {
-            spec.commandLine().getErr().println("[" + out + "] cannot be written: " + e);
+            spec.commandLine().getErr().println("[" + out + "] cannot be written: " + FileFailure.text(e));
             return Main.FAILED;
         }
     }

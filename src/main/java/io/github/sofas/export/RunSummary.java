@@ -11,6 +11,8 @@ import java.util.Map;
  * The figures of one run over one recording.
  *
  * @param version of the program
+ * @param request fingerprint of all that the results follow from, to know them again; empty where they cannot be made
+ *     again
  * @param recording what was read
  * @param method name of the method that labelled the events
  * @param preset name of the preset that the parameters started from; empty where the method has none
@@ -21,7 +23,7 @@ import java.util.Map;
  * @param seconds where the time went
  * @param peakHeapBytes most heap that the whole program, other recordings included, had in use until now
  */
-public record RunSummary(String version, RecordingSummary recording, String method, String preset,
+public record RunSummary(String version, String request, RecordingSummary recording, String method, String preset,
                          Map<String, Object> parameters, long eventsWithFlow, List<Segment> segments,
                          Map<String, Long> eventsDropped, Seconds seconds, long peakHeapBytes) {
 
@@ -60,6 +62,9 @@ public record RunSummary(String version, RecordingSummary recording, String meth
         try (JsonGenerator json = Json.open(out)) {
             json.writeStartObject();
             json.writeStringField("version", version);
+            if (!request.isEmpty()) {
+                json.writeStringField("request", request);
+            }
             json.writeFieldName("recording");
             recording.write(json);
             json.writeStringField("method", method);

@@ -396,7 +396,7 @@ public class RunCommandTest {
     public void refusesAFileForAFolder() throws IOException {
         Path file = Files.writeString(root.resolve("file"), "");
         Executed run = runTo(file, HEXAGON);
-        assertEquals("[" + file + "] cannot be made a directory: java.nio.file.FileAlreadyExistsException: " + file
+        assertEquals("[" + file + "] cannot be made a directory: " + file + ": is a file and no directory"
             + "\nTry 'sofas run --help'.\n", run.err);
         assertEquals(2, run.exitCode);
     }

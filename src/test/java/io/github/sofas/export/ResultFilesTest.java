@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.Skipped;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -11,6 +12,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.Before;
@@ -88,6 +90,54 @@ public class ResultFilesTest {
         }
         assertEquals("older", Files.readString(first));
         assertEquals(List.of("a.csv"), filesThere());
+    }
+
+    @Test
+    public void lastFileIsNotThereUntilAllOthersAreNew() throws IOException {
+        Files.writeString(first, "older");
+        Files.writeString(second, "older");
+        try (ResultFiles files = new ResultFiles()) {
+            write(files, first, "new");
+            write(files, second, "new");
+            // the commit stops where a file that it would rename is gone, as it would where the program is killed
+            Files.delete(files.temporary(first));
+            assertThrows(NoSuchFileException.class, files::commit);
+            assertEquals("older", Files.readString(first));
+        }
+        assertEquals(List.of("a.csv"), filesThere());
+    }
+
+    @Test
+    public void deletesWhatAKilledProgramLeft() throws IOException {
+        // no process has so great a number
+        Path left = Files.writeString(folder.getRoot().toPath().resolve(".a.csv.999999999999.part"), "half");
+        Path fresh = Files.writeString(folder.getRoot().toPath().resolve(".a.csv.999999999998.part"), "half");
+        Path other = Files.writeString(folder.getRoot().toPath().resolve(".b.csv.999999999999.part"), "half");
+        for (Path old : List.of(left, other)) {
+            Files.setLastModifiedTime(old, FileTime.fromMillis(System.currentTimeMillis() - 120_000));
+        }
+        try (ResultFiles files = new ResultFiles()) {
+            write(files, first, "new");
+            files.commit();
+        }
+        assertEquals(List.of(fresh.getFileName().toString(), other.getFileName().toString(), "a.csv"), filesThere());
+    }
+
+    @Test
+    public void leavesNothingWhereTheDiskIsFull() throws IOException {
+        Path full = Path.of("/dev/full");
+        if (!Files.isWritable(full)) {
+            throw Skipped.because("there is no /dev/full");
+        }
+        Files.writeString(first, "older");
+        String temporary = ".a.csv." + ProcessHandle.current().pid() + ".part";
+        Files.createSymbolicLink(folder.getRoot().toPath().resolve(temporary), full);
+        try (ResultFiles files = new ResultFiles()) {
+            IOException refused = assertThrows(IOException.class, () -> write(files, first, "new"));
+            assertEquals("No space left on device", refused.getMessage());
+        }
+        assertEquals(List.of("a.csv"), filesThere());
+        assertEquals("older", Files.readString(first));
     }
 
     @Test

@@ -1,0 +1,25 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.recording.Printable;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.NoSuchFileException;
+
+/** Why a file or a directory cannot be written, in the user's words: Java names only the path in the usual cases. */
+final class FileFailure {
+    private FileFailure() {
+    }
+
+    static String text(IOException e) {
+        String reason = "";
+        if (e instanceof NoSuchFileException) {
+            reason = ": the directory is not there";
+        } else if (e instanceof AccessDeniedException) {
+            reason = ": no permission";
+        } else if (e instanceof FileAlreadyExistsException) {
+            reason = ": is a file and no directory";
+        }
+        return Printable.of(e.getMessage() == null ? e.toString() : e.getMessage() + reason);
+    }
+}
