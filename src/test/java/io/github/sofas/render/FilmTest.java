@@ -7,6 +7,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.util.Random;
 import java.util.zip.ZipInputStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -56,6 +57,38 @@ public class FilmTest {
         for (int i = 0; i < 3; i++) {
             assertEquals("00000" + (i + 1) + ".png", zip.getNextEntry().getName());
             assertEquals(COLOURS[i], ImageIO.read(zip).getRGB(30, 15) & 0xFFFFFF);
+        }
+    }
+
+    /** Dots change over a ground of two shades; a player that has seen 40 pictures still sees both as they are. */
+    @Test
+    public void whatStandsStillInAnMp4KeepsItsColour() throws IOException, JCodecException {
+        File file = folder.newFile("film.mp4");
+        BufferedImage picture = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
+        try (Film film = new Mp4Film(file.toPath(), 25)) {
+            Random random = new Random(1);
+            for (int k = 0; k < 40; k++) {
+                for (int i = 0; i < 64 * 64; i++) {
+                    int ground = i % 64 < 32 ? 0x101418 : 0xE6E8EA;
+                    picture.setRGB(i % 64, i / 64, i / 64 < 32 && random.nextInt(8) == 0 ? 0xE69F00 : ground);
+                }
+                film.add(picture);
+            }
+        }
+        FrameGrab grab = FrameGrab.createFrameGrab(NIOUtils.readableChannel(file));
+        Picture last = null;
+        for (int k = 0; k < 40; k++) {
+            last = grab.getNativeFrame();
+        }
+        int[] luma = {16 + 4 + 10 + 2 - 128, 16 + 59 + 117 + 23 - 128};
+        for (int i = 32 * 64; i < 64 * 64; i++) {
+            // jcodec's decoder, other than players, smooths what the stream says is not to be smoothed: 4 off, not 1.5
+            assertEquals("still", luma[i % 64 / 32], last.getPlaneData(0)[i], 6);
+        }
+        for (int i = 0; i < 32 * 64; i++) {
+            int rgb = picture.getRGB(i % 64, i / 64);
+            double expected = 16 + 0.257 * (rgb >> 16 & 0xFF) + 0.504 * (rgb >> 8 & 0xFF) + 0.098 * (rgb & 0xFF) - 128;
+            assertEquals("dots", expected, last.getPlaneData(0)[i], 25);
         }
     }
 
