@@ -93,7 +93,7 @@ final class RenderCommand implements Callable<Integer> {
         private FlowColours.Wheel wheel;
 
         @Option(names = "--scale", paramLabel = "N", description = "Screen pixels a pixel of the sensor, 1 to 16; "
-            + "default: so that a panel is about 480 wide.")
+            + "default: so that a panel is at least 480 wide.")
         private int scale;
 
         @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Part of the sensor that is shown.")

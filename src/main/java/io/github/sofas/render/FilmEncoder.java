@@ -229,7 +229,7 @@ final class FilmEncoder {
         int pattern = 0;
         for (int i = 0; i < 16; i++) {
             int at = ((row << 4) + (i >> 2 << 2)) * stride + (column << 4) + ((i & 3) << 2);
-            isWritten[i] = hasChanged(picture, at, stride);
+            isWritten[i] = hasChanged(picture, 0, at, stride);
             if (isWritten[i]) {
                 subtract(picture, 0, at, stride, luma[i]);
                 CoeffTransformer.fdct4x4(luma[i]);
@@ -244,16 +244,25 @@ final class FilmEncoder {
         int greatest = 0;
         for (int i = 0; i < 4; i++) {
             int at = ((row << 3) + (i >> 1 << 2)) * (stride >> 1) + (column << 3) + ((i & 1) << 2);
-            greatest = Math.max(greatest, subtract(picture, 1, at, stride >> 1, blue[i]));
-            greatest = Math.max(greatest, subtract(picture, 2, at, stride >> 1, red[i]));
+            greatest = Math.max(greatest, subtractColour(picture, 1, at, stride >> 1, blue[i]));
+            greatest = Math.max(greatest, subtractColour(picture, 2, at, stride >> 1, red[i]));
         }
         return pattern | (greatest > UNSEEN ? COLOUR : 0);
     }
 
-    /** Whether brightness has, in 4 x 4 pixels. */
-    private boolean hasChanged(Picture picture, int at, int stride) {
-        byte[] now = picture.getPlaneData(0);
-        byte[] then = before.getPlaneData(0);
+    /** The greatest difference in 4 x 4 values of colour; none where they are as they were. */
+    private int subtractColour(Picture picture, int plane, int at, int stride, int[] block) {
+        if (hasChanged(picture, plane, at, stride)) {
+            return subtract(picture, plane, at, stride, block);
+        }
+        Arrays.fill(block, 0);
+        return 0;
+    }
+
+    /** Whether 4 x 4 values have. */
+    private boolean hasChanged(Picture picture, int plane, int at, int stride) {
+        byte[] now = picture.getPlaneData(plane);
+        byte[] then = before.getPlaneData(plane);
         int difference = 0;
         for (int y = 0; y < 4; y++) {
             difference |= (int) FOUR.get(now, at + y * stride) ^ (int) FOUR.get(then, at + y * stride);

@@ -26,7 +26,7 @@ public final class Mp4Film implements Film {
     /** Brightness and colour as jcodec holds them: less by 128. */
     private static final int BIAS = 128;
     /** Pixels in a row that are looked at together. */
-    private static final int STRIP = 8;
+    private static final int STRIP = 16;
 
     private final SeekableByteChannel channel;
     private final MP4Muxer muxer;

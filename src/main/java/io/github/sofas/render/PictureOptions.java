@@ -8,7 +8,7 @@ import java.util.List;
  * @param panels from left to right, two a row; each at most once
  * @param theme dark or light
  * @param wheel colours of directions
- * @param scale screen pixels a pixel of the sensor, 1 to 16; 0 so that a panel is about 480 wide
+ * @param scale screen pixels a pixel of the sensor, 1 to 16; 0 so that a panel is at least 480 wide
  * @param exposureUs how long an event is shown, µs; 0 where {@code exposureEvents} counts
  * @param exposureEvents how many events are shown; 0 where {@code exposureUs} counts
  * @param fullPxPerS speed of the full colour in px/s; 0 so that it follows what is seen, upwards only

@@ -24,7 +24,7 @@ import java.util.Locale;
  * remembered; a picture shows those that are still exposed. One thread at a time.
  */
 public final class PictureSheet {
-    private static final int ABOUT_WIDTH = 480;
+    private static final int LEAST_WIDTH = 480;
     private static final int MARGIN = 8;
     private static final int TITLE = 24;
     private static final int LEGEND = 64;
@@ -81,7 +81,7 @@ public final class PictureSheet {
             throw new IllegalArgumentException("crop must lie on the sensor of " + sensor + " but was "
                 + crop.x() + "," + crop.y() + "," + crop.width() + "," + crop.height());
         }
-        scale = options.scale() > 0 ? options.scale() : Math.max(1, Math.round((float) ABOUT_WIDTH / crop.width()));
+        scale = options.scale() > 0 ? options.scale() : (LEAST_WIDTH + crop.width() - 1) / crop.width();
         fullPxPerS = options.fullPxPerS() > 0 ? options.fullPxPerS() : 20;
         int n = sensor.width() * sensor.height();
         seenUs = new long[n];
@@ -209,7 +209,7 @@ public final class PictureSheet {
                 int at = y * sensor.width() + x;
                 if (segment[at] != 0 && isExposed(at, timeUs)) {
                     seen.add(segment[at], x, y, vx[at], vy[at]);
-                    speeds[step(Math.hypot(vx[at], vy[at]))]++;
+                    speeds[step(Math.sqrt(vx[at] * vx[at] + vy[at] * vy[at]))]++;
                     withFlow++;
                 }
             }
