@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.zip.ZipInputStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
+import javax.imageio.metadata.IIOMetadataNode;
 import org.jcodec.api.FrameGrab;
 import org.jcodec.api.JCodecException;
 import org.jcodec.common.io.NIOUtils;
@@ -46,6 +47,47 @@ public class FilmTest {
         assertEquals(3, reader.getNumImages(true));
         for (int i = 0; i < 3; i++) {
             assertEquals(COLOURS[i], reader.read(i).getRGB(30, 15) & 0xFFFFFF);
+        }
+    }
+
+    /** A dot of each of 300 colours, more than a GIF has, comes and goes on a ground that stays. */
+    @Test
+    public void gifPicturesAddUpWithColoursOfTheirOwn() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        BufferedImage picture = new BufferedImage(64, 32, BufferedImage.TYPE_INT_RGB);
+        try (Film film = new GifFilm(bytes, 20)) {
+            for (int k = 0; k < 5; k++) {
+                paintDots(picture, k);
+                film.add(picture);
+            }
+            film.add(picture);
+        }
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        reader.setInput(ImageIO.createImageInputStream(new ByteArrayInputStream(bytes.toByteArray())));
+        assertEquals(6, reader.getNumImages(true));
+        BufferedImage shown = new BufferedImage(64, 32, BufferedImage.TYPE_INT_RGB);
+        for (int k = 0; k < 6; k++) {
+            IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(k).getAsTree("javax_imageio_gif_image_1.0");
+            IIOMetadataNode place = (IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0);
+            shown.createGraphics().drawImage(reader.read(k), Integer.parseInt(place.getAttribute("imageLeftPosition")),
+                Integer.parseInt(place.getAttribute("imageTopPosition")), null);
+            paintDots(picture, Math.min(k, 4));
+            for (int i = 0; i < 64 * 32; i++) {
+                for (int shift = 0; shift <= 16; shift += 8) {
+                    assertEquals("picture " + k + " pixel " + i, picture.getRGB(i % 64, i / 64) >> shift & 0xFF,
+                        shown.getRGB(i % 64, i / 64) >> shift & 0xFF, 16);
+                }
+            }
+        }
+    }
+
+    private static void paintDots(BufferedImage picture, int k) {
+        for (int i = 0; i < 64 * 32; i++) {
+            picture.setRGB(i % 64, i / 64, i % 64 < 32 ? 0x15181C : 0xE6E8EA);
+        }
+        for (int i = 0; i < 60; i++) {
+            int n = 60 * k + i;
+            picture.setRGB(5 + k + i % 30, 3 * k + i / 30, n * 7 % 256 << 16 | n * 37 % 256 << 8 | n * 11 % 256);
         }
     }
 
