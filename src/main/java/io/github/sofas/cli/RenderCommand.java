@@ -3,6 +3,7 @@ package io.github.sofas.cli;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.render.FlowColours;
+import io.github.sofas.render.GifFilm;
 import io.github.sofas.render.Panel;
 import io.github.sofas.render.PictureOptions;
 import io.github.sofas.render.Theme;
@@ -94,28 +95,29 @@ final class RenderCommand implements Callable<Integer> {
 
         @Option(names = "--scale", paramLabel = "N", description = "Screen pixels a pixel of the sensor, 1 to 16; "
             + "default: so that a panel is at least 480 wide.")
-        private int scale;
+        private Integer scale;
 
         @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Part of the sensor that is shown.")
         private String crop;
 
         @Option(names = "--full-speed", paramLabel = "PX/S", description = "Speed of the full colour and of the scale "
             + "bar; default: follows what is seen.")
-        private double fullPxPerS;
+        private Double fullPxPerS;
     }
 
     /** When it is shown. */
     private static final class Times {
-        @Option(names = "--fps", defaultValue = "30", description = "Pictures a second of film; default: 30.")
+        @Option(names = "--fps", defaultValue = "30", description = "Pictures a second of film, at most 240; default: "
+            + "30. GIF counts hundredths of a second: the nearest is taken, 33.3 for 30, at most 50.")
         private double fps;
 
-        @Option(names = "--slow", defaultValue = "1", paramLabel = "FACTOR",
+        @Option(names = "--slow", paramLabel = "FACTOR",
             description = "Seconds of film a second of recording; 10 is ten times slower than life; default: 1.")
-        private double slow;
+        private Double slow;
 
         @Option(names = "--every", paramLabel = "EVENTS",
             description = "A picture every so many events, in place of --slow.")
-        private long every;
+        private Long every;
 
         @Option(names = "--exposure", paramLabel = "TIME", description = "How long an event is shown: such as 20ms, or "
             + "5000ev for the last 5,000 events; default: 33ms, or the events of one picture with --every.")
@@ -162,13 +164,26 @@ final class RenderCommand implements Callable<Integer> {
 
     private RenderRun check() {
         positive("--fps", times.fps);
-        positive("--slow", times.slow);
         if (times.fps > 240) {
             throw usage("--fps must be at most 240 but was " + times.fps);
         }
-        if (times.every < 0 || times.maxPictures < 1) {
-            throw usage("--every and --max-pictures must be above 0 but were " + times.every + " and "
-                + times.maxPictures);
+        if (times.slow != null) {
+            positive("--slow", times.slow);
+        }
+        if (times.every != null && times.slow != null) {
+            throw usage("--every and --slow exclude each other: a picture comes by events or by time");
+        }
+        if (times.every != null && times.every < 1) {
+            throw usage("--every must be above 0 but was " + times.every);
+        }
+        if (shown.fullPxPerS != null) {
+            positive("--full-speed", shown.fullPxPerS);
+        }
+        if (shown.scale != null && (shown.scale < 1 || shown.scale > 16)) {
+            throw usage("--scale must be between 1 and 16 but was " + shown.scale);
+        }
+        if (times.maxPictures < 1) {
+            throw usage("--max-pictures must be above 0 but was " + times.maxPictures);
         }
         if (!(times.fromS >= 0) || !(times.toS > times.fromS)) {
             throw usage("--from must not be negative and --to must be later but they were " + times.fromS + " and "
@@ -206,26 +221,29 @@ final class RenderCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
         }
-        RenderRun.Timing timing = new RenderRun.Timing(times.fps, 1e6 / (times.fps * times.slow), times.every,
-            times.fromS, times.toS, times.maxPictures);
+        double fps = format == RenderRun.Format.GIF ? GifFilm.nearestFps(times.fps) : times.fps;
+        double stepUs = 1e6 / (fps * (times.slow == null ? 1 : times.slow));
+        RenderRun.Timing timing = new RenderRun.Timing(fps, stepUs, times.every == null ? 0 : times.every, times.fromS,
+            times.toS, times.maxPictures);
         return new RenderRun(named.get(name), reading.recordingOptions(), method, flow, film, format, pictures, timing);
     }
 
     private PictureOptions pictures() {
-        double exposureUs = times.every > 0 ? 0 : 33_333;
-        double exposureEvents = times.every;
+        double exposureUs = times.every == null ? 33_333 : 0;
+        double exposureEvents = times.every == null ? 0 : times.every;
         if (times.exposure != null) {
             Matcher matcher = EXPOSURE.matcher(times.exposure);
-            if (!matcher.matches()) {
-                throw new IllegalArgumentException("--exposure must be a time such as 20ms or a count such as 5000ev "
-                    + "but was \"" + times.exposure + "\"");
+            boolean isTime = matcher.matches() && matcher.group(2).equals("ms");
+            double value = matcher.matches() ? Double.parseDouble(matcher.group(1)) : 0;
+            exposureUs = isTime ? value * 1000 : 0;
+            exposureEvents = isTime ? 0 : value;
+            if (exposureUs < 1 && exposureEvents < 1) {
+                throw new IllegalArgumentException("--exposure must be a time above 0 such as 20ms or a count such as "
+                    + "5000ev but was \"" + times.exposure + "\"");
             }
-            boolean isTime = matcher.group(2).equals("ms");
-            exposureUs = isTime ? Double.parseDouble(matcher.group(1)) * 1000 : 0;
-            exposureEvents = isTime ? 0 : Double.parseDouble(matcher.group(1));
         }
-        return new PictureOptions(shown.panels, shown.theme, shown.wheel, shown.scale, (long) exposureUs,
-            (long) exposureEvents, shown.fullPxPerS, crop());
+        return new PictureOptions(shown.panels, shown.theme, shown.wheel, shown.scale == null ? 0 : shown.scale,
+            (long) exposureUs, (long) exposureEvents, shown.fullPxPerS == null ? 0 : shown.fullPxPerS, crop());
     }
 
     private PictureOptions.Crop crop() {
@@ -242,7 +260,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private void positive(String option, double value) {
         if (!(value > 0 && value < 1e6)) {
-            throw usage(option + " must be above 0 but was " + value);
+            throw usage(option + " must be above 0 and below 1,000,000 but was " + value);
         }
     }
 

@@ -41,6 +41,8 @@ import java.util.Queue;
 record RenderRun(Path recording, RecordingOptions options, MethodChoice method, Path flow, Path file, Format format,
                  PictureOptions pictures, Timing timing) {
     private static final int BATCH = 4096;
+    /** Frames that wait for their time; where there are more among the events of a batch, the oldest are not shown. */
+    private static final int MOST_FRAMES = 256;
 
     /** What a film is. */
     enum Format {
@@ -107,7 +109,12 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             Queue<GreyFrame> frames = new ArrayDeque<>();
             boolean wantsFrames = pictures.panels().contains(Panel.GREY);
             if (wantsFrames) {
-                reader.onFrame(frames::add);
+                reader.onFrame(frame -> {
+                    frames.add(frame);
+                    if (frames.size() > MOST_FRAMES) {
+                        frames.remove();
+                    }
+                });
             }
             EventLabeller labeller = labelled == null ? method.make(sensor, ended -> { }) : null;
             Shooting shooting = new Shooting(sheet, film, timing, labeller, frames);

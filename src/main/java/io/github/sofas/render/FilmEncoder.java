@@ -49,6 +49,8 @@ final class FilmEncoder {
     private static final int KEY_INTERVAL = 300;
     /** The coarseness that the headers count from. */
     private static final int HEADER_QUANTISATION = 26;
+    /** Most blocks of a picture of level 4, which every player shows; above, level 5.1 it is. */
+    private static final int LEVEL_4_BLOCKS = 8192;
     private static final int START_CODE = 1;
     /** Bits of the coded block pattern that say that colour is written. */
     private static final int COLOUR = 2 << 4;
@@ -76,11 +78,12 @@ final class FilmEncoder {
     FilmEncoder(int width, int height) {
         H264Encoder parameters = new H264Encoder(new DumbRateControl());
         parameters.setKeyInterval(KEY_INTERVAL);
-        sps = parameters.initSPS(new Size(width, height));
-        pps = parameters.initPPS();
-        pps.deblockingFilterControlPresentFlag = true;
         columns = width / 16;
         rows = height / 16;
+        sps = parameters.initSPS(new Size(width, height));
+        sps.levelIdc = columns * rows > LEVEL_4_BLOCKS ? 51 : 40;
+        pps = parameters.initPPS();
+        pps.deblockingFilterControlPresentFlag = true;
         before = Picture.create(width, height, ColorSpace.YUV420J);
         seen = Picture.create(width, height, ColorSpace.YUV420J);
         slice = ByteBuffer.allocate(maxBytes());

@@ -45,7 +45,7 @@ public final class FlowColours {
             }
             for (int s = 0; s <= SPEEDS; s++) {
                 // never wholly grey: slow motion has a direction too
-                table[d * (SPEEDS + 1) + s] = mix(theme.faint, full, 0.35 + 0.65 * s / SPEEDS);
+                table[d * (SPEEDS + 1) + s] = mix(theme.faint, full, 0.5 + 0.5 * s / SPEEDS);
             }
         }
     }

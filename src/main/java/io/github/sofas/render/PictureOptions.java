@@ -45,8 +45,8 @@ public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel 
             throw new IllegalArgumentException("either exposureUs or exposureEvents must be above 0 but they were "
                 + exposureUs + " and " + exposureEvents);
         }
-        if (!(fullPxPerS >= 0)) {
-            throw new IllegalArgumentException("fullPxPerS must not be negative but was " + fullPxPerS);
+        if (!(fullPxPerS >= 0 && fullPxPerS <= 1e6)) {
+            throw new IllegalArgumentException("fullPxPerS must be between 0 and 1,000,000 but was " + fullPxPerS);
         }
     }
 

@@ -9,14 +9,15 @@ import io.github.sofas.flow.Sofas;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -30,6 +31,8 @@ public final class PictureSheet {
     private static final int LEGEND = 64;
     /** Video codecs take whole blocks of 16 x 16 pixels. */
     private static final int BLOCK = 16;
+    /** Those of level 5.1 of H.264, which players decode: 36,864 blocks, such as 4096 x 2304. */
+    private static final int MOST_PIXELS = 36_864 * BLOCK * BLOCK;
     /** Fewest exposed pixels of a segment that is named and gets an arrow: fewer are specks. */
     private static final int LEAST_PIXELS = 12;
 
@@ -66,7 +69,8 @@ public final class PictureSheet {
     /**
      * Makes a sheet on which nothing has been seen.
      *
-     * @throws IllegalArgumentException where the crop is not on the sensor
+     * @throws IllegalArgumentException where the crop is not on the sensor, or a picture would have more than 9.4 million
+     *     pixels
      */
     public PictureSheet(SensorSize sensor, PictureOptions options) {
         this.sensor = sensor;
@@ -95,6 +99,10 @@ public final class PictureSheet {
         int rows = (options.panels().size() + 1) / 2;
         width = blocks(columns * (panelWidth() + MARGIN) + MARGIN);
         int height = blocks(rows * (TITLE + panelHeight() + LEGEND));
+        if ((long) width * height > MOST_PIXELS) {
+            throw new IllegalArgumentException("a picture must have at most " + MOST_PIXELS + " pixels but would be "
+                + width + "x" + height + ": take a smaller scale or fewer panels");
+        }
         picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         pixels = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();
         base = new int[pixels.length];
@@ -119,6 +127,11 @@ public final class PictureSheet {
 
     private int top(int panel) {
         return TITLE + panel / 2 * (TITLE + panelHeight() + LEGEND);
+    }
+
+    /** Gives a segment the colour of {@link Theme#segmentColour}, which it would else get when it is first painted. */
+    public void colour(int segmentId, int place) {
+        segmentColours.assign(segmentId, place);
     }
 
     /** Takes the events from one place of a batch to before another; those outside the sensor are passed over. */
@@ -214,6 +227,7 @@ public final class PictureSheet {
                 }
             }
         }
+        segmentColours.assign(seen);
         if (options.fullPxPerS() == 0 && withFlow > 100) {
             // the step below which nine tenths of the pixels are
             int below = 0;
@@ -306,53 +320,20 @@ public final class PictureSheet {
         }
     }
 
-    /** Names each segment at its centre, with an arrow along its velocity on the scale of the legend's bar. */
+    /** Names the segments, each with an arrow on the scale of the legend's bar. */
     private void paintArrows(Graphics2D g, int k) {
-        g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 13));
+        List<SegmentArrow> arrows = new ArrayList<>();
+        Rectangle panel = new Rectangle(left(k), top(k), panelWidth(), panelHeight());
+        double perPxPerS = barLength() / fullPxPerS;
         for (int i = 0; i < seen.size(); i++) {
-            if (seen.pixels(i) < LEAST_PIXELS) {
-                continue;
-            }
             double x = left(k) + (seen.x(i) - crop.x() + 0.5) * scale;
             double y = top(k) + (seen.y(i) - crop.y() + 0.5) * scale;
-            double perPxPerS = barLength() / fullPxPerS;
-            double endX = x + seen.vx(i) * perPxPerS;
-            double endY = y + seen.vy(i) * perPxPerS;
-            Color colour = new Color(segmentColours.rgb(seen.id(i)));
-            g.setColor(new Color(theme.sensor));
-            g.setStroke(new BasicStroke(6, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            arrow(g, x, y, endX, endY);
-            g.setColor(colour);
-            g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            arrow(g, x, y, endX, endY);
-            String name = Integer.toString(seen.id(i));
-            FontMetrics metrics = g.getFontMetrics();
-            // the name stands behind the arrow's tail
-            double length = Math.max(1, Math.hypot(endX - x, endY - y));
-            int centreX = (int) Math.round(x - (endX - x) / length * 14);
-            int centreY = (int) Math.round(y - (endY - y) / length * 14);
-            int w = metrics.stringWidth(name) + 8;
-            g.setColor(new Color(theme.sensor));
-            g.fillRoundRect(centreX - w / 2, centreY - 9, w, 18, 8, 8);
-            g.setColor(colour);
-            g.drawString(name, centreX - w / 2 + 4, centreY + 5);
+            if (seen.pixels(i) >= LEAST_PIXELS && panel.contains(x, y)) {
+                arrows.add(new SegmentArrow(seen.id(i), segmentColours.rgb(seen.id(i)), seen.pixels(i), x, y,
+                    seen.vx(i) * perPxPerS, seen.vy(i) * perPxPerS));
+            }
         }
-    }
-
-    private static void arrow(Graphics2D g, double x, double y, double endX, double endY) {
-        g.draw(new Line2D.Double(x, y, endX, endY));
-        double length = Math.hypot(endX - x, endY - y);
-        if (length < 3) {
-            return;
-        }
-        double ux = (endX - x) / length;
-        double uy = (endY - y) / length;
-        double head = Math.min(9, length);
-        Path2D path = new Path2D.Double();
-        path.moveTo(endX - head * ux - head * 0.55 * uy, endY - head * uy + head * 0.55 * ux);
-        path.lineTo(endX, endY);
-        path.lineTo(endX - head * ux + head * 0.55 * uy, endY - head * uy - head * 0.55 * ux);
-        g.draw(path);
+        SegmentArrow.paint(g, panel, arrows, theme.sensor);
     }
 
     /** Length of the arrow of the full speed, in screen pixels. */
@@ -410,7 +391,7 @@ public final class PictureSheet {
                 g.drawString(panel == Panel.SEGMENTS ? "a colour and a number: one moving structure"
                     : "where each structure's next events are expected", x, y + 12);
                 g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-                arrow(g, x + 2, y + 28, x + 2 + barLength(), y + 28);
+                SegmentArrow.draw(g, new Line2D.Double(x + 2, y + 28, x + 2 + barLength(), y + 28));
                 g.drawString(full, (int) (x + barLength() + 12), y + 33);
                 swatch(g, x, y + 38, theme.faint, panel == Panel.SEGMENTS ? "no segment" : "events");
                 break;

@@ -6,12 +6,12 @@ import java.util.Locale;
 public enum Theme {
     /** For screens. */
     DARK(0x15181C, 0x000000, 0xE6E8EA, 0x555B62, 0xFFB000, 0x4C9BFF,
-        new int[] {0x56B4E9, 0xE69F00, 0x2FC79C, 0xF0E442, 0xFF8A4C, 0xE39BCB, 0xFFFFFF, 0x8C7BFF, 0xA6D854, 0xC49A6C,
-            0x00D7E0, 0xFF5C8A}),
+        new int[] {0x56B4E9, 0xE69F00, 0x2FC79C, 0xF0E442, 0xBB33FF, 0xFFFFFF, 0xBB6699, 0xDD5500, 0xCCCCFF, 0x8888EE,
+            0xFF8877, 0x99EEDD}),
     /** For paper. */
     LIGHT(0xFFFFFF, 0xF5F6F8, 0x1D2125, 0xB4BBC2, 0xC05A00, 0x0050C0,
-        new int[] {0x0072B2, 0xD55E00, 0x009E73, 0xB0559A, 0x8A6D00, 0x2E9AD0, 0x1D2125, 0x5B3FD0, 0x5B8C00, 0x7A4B1E,
-            0x007C85, 0xC2185B});
+        new int[] {0x0072B2, 0xC25500, 0x009E73, 0x9C8A00, 0x550099, 0x1D2125, 0x991155, 0x663300, 0xAA66FF, 0x1100EE,
+            0xFF2255, 0x005555});
 
     final int page;
     final int sensor;
@@ -20,7 +20,10 @@ public enum Theme {
     final int faint;
     final int on;
     final int off;
-    /** Colours of segments: those of Okabe and Ito first, which colour-blind people tell apart, then more. */
+    /**
+     * Colours of segments: four of Okabe and Ito's, which colour-blind people tell apart, then those that are farthest
+     * from them, from each other and from the ground, to colour-blind people too. One place is one hue in both themes.
+     */
     final int[] segments;
 
     Theme(int page, int sensor, int text, int faint, int on, int off, int[] segments) {
@@ -31,6 +34,11 @@ public enum Theme {
         this.on = on;
         this.off = off;
         this.segments = segments;
+    }
+
+    /** A colour of segments as 0xRRGGBB, by its place among them; places beyond the last begin again. */
+    public int segmentColour(int place) {
+        return segments[place % segments.length];
     }
 
     @Override

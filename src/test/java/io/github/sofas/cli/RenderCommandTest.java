@@ -96,14 +96,37 @@ public class RenderCommandTest {
 
     @Test
     public void wrongUsageIsRefusedBeforeAnythingIsWritten() throws IOException {
-        refuses("--fps must be above 0 but was 0.0", "--fps", "0");
-        refuses("--exposure must be a time such as 20ms or a count such as 5000ev but was \"20\"", "--exposure", "20");
+        refuses("--fps must be above 0 and below 1,000,000 but was 0.0", "--fps", "0");
+        refuses("--fps must be at most 240 but was 241.0", "--fps", "241");
+        refuses("--slow must be above 0 and below 1,000,000 but was -1.0", "--slow", "-1");
+        refuses("--every must be above 0 but was 0", "--every", "0");
+        refuses("--every and --slow exclude each other: a picture comes by events or by time", "--every", "9", "--slow",
+            "2");
+        refuses("--max-pictures must be above 0 but was 0", "--max-pictures", "0");
+        refuses("--from must not be negative and --to must be later but they were 2.0 and 1.0", "--from", "2", "--to",
+            "1");
+        for (String exposure : List.of("20", "0ms", "0.5ev", "-1ms", "ms")) {
+            refuses("--exposure must be a time above 0 such as 20ms or a count such as 5000ev but was \"" + exposure
+                + "\"", "--exposure", exposure);
+        }
         refuses("--crop must be X,Y,W,H in px but was \"1,2\"", "--crop", "1,2");
-        refuses("scale must be between 0 and 16 but was 17", "--scale", "17");
+        refuses("--scale must be between 1 and 16 but was 17", "--scale", "17");
+        refuses("--full-speed must be above 0 and below 1,000,000 but was Infinity", "--full-speed", "Infinity");
+        refuses("panels must be one or more, each once, but were [flow, flow]", "--panels", "flow,flow");
         refuses("--panels contours needs the track planes themselves: leave --results out", "--panels", "contours",
             "--results", "recordings");
         refuses("--panels contours is of --method sofas, not of lucas-kanade", "--panels", "contours", "--method",
             "lucas-kanade");
+    }
+
+    @Test
+    public void pictureTooLargeForPlayersIsAFailureAndLeavesNoFilm() throws IOException {
+        Executed executed = render("--scale", "16", "--panels", "events,flow,segments");
+        // two panels of 240 x 16 px with 8 px about each, two rows of 180 x 16 px with title and legend
+        assertEquals("[short-bar.aedat] a picture must have at most 9437184 pixels but would be 7712x5936: take a "
+            + "smaller scale or fewer panels", executed.err.strip());
+        assertEquals(1, executed.exitCode);
+        assertEquals(List.of(), files());
     }
 
     @Test
