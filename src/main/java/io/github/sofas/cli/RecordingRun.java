@@ -126,8 +126,8 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         long start = System.nanoTime();
         String request = request();
         try (RecordingReader reader = Recordings.open(recording, options);
-                ResultFiles results = new ResultFiles();
-                ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor())) {
+                ResultFiles results = new ResultFiles()) {
+            ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor());
             List<Segment> segments = new ArrayList<>();
             EventLabeller labeller = method.make(reader.sensor(), segments::add);
             EventBatch batch = new EventBatch(BATCH);
@@ -176,7 +176,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
                 peakHeapBytes());
             if (report != null) {
                 try (OutputStream file = results.create(reportFile())) {
-                    report.write(file, summary, reportedCommand);
+                    report.write(file, summary, reportedCommand, results.temporary(flowFile(out, name)));
                 }
             }
             writeSegmentsAndSummary(results, out, name, summary);

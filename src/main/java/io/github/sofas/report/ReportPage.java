@@ -4,10 +4,14 @@ import static j2html.TagCreator.text;
 
 import io.github.sofas.export.RunSummary;
 import io.github.sofas.flow.Segment;
+import io.github.sofas.render.Theme;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Base64;
 import java.util.Comparator;
 import java.util.List;
@@ -25,7 +29,7 @@ final class ReportPage {
     private static final int BOTTOM = 30;
     private static final int TOP = 8;
     /** Segments drawn as curves, and as life lines: those with the most events. */
-    private static final int CURVES = 10;
+    static final int CURVES = 10;
     private static final int LINES = 40;
     /** Ends of the axis of directions, in degrees; no other axis begins below 0. */
     private static final int HALF_TURN = 180;
@@ -35,37 +39,64 @@ final class ReportPage {
     private final TimeBins bins;
     private final List<SegmentCurve> curves;
     private final long[] directions;
-    private final List<ReportCollector.Thumbnail> thumbnails;
-    private final byte[] clip;
+    private final Highlights highlights;
+    private final List<HighlightPainter.Thumbnail> thumbnails;
+    private final Path clip;
     private final double durationS;
     private final StringBuilder html = new StringBuilder();
 
     ReportPage(RunSummary summary, String command, TimeBins bins, List<SegmentCurve> curves, long[] directions,
-               List<ReportCollector.Thumbnail> thumbnails, byte[] clip) {
+               Highlights highlights, List<HighlightPainter.Thumbnail> thumbnails, Path clip) {
         this.summary = summary;
         this.command = command;
         this.bins = bins;
         this.curves = curves;
         this.directions = directions;
+        this.highlights = highlights;
         this.thumbnails = thumbnails;
         this.clip = clip;
         durationS = Math.max(bins.widthS(), bins.used() * bins.widthS());
     }
 
-    String html() {
-        String file = summary.recording().file();
+    void write(OutputStream out) throws IOException {
+        String file = Path.of(summary.recording().file()).getFileName().toString();
         html.append("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>")
-            .append(escaped(file)).append("</title><style>").append(resource("page.css"))
-            .append("</style></head><body>\n<h1>").append(escaped(file)).append("</h1>\n");
+            .append(escaped(file)).append("</title><style>").append(resource("page.css"));
+        colours();
+        html.append("</style></head><body>\n<h1>").append(escaped(file)).append("</h1>\n");
         figures();
-        moving();
+        if (!thumbnails.isEmpty()) {
+            clip(out);
+            busiest();
+        }
         overTime();
         segments();
         where();
         reproduce();
         html.append("<script>").append(resource("hover.js")).append("</script></body></html>\n");
-        return html.toString();
+        flush(out);
+    }
+
+    /** What was written so far needs no memory then. */
+    private void flush(OutputStream out) throws IOException {
+        out.write(html.toString().getBytes(StandardCharsets.UTF_8));
+        html.setLength(0);
+    }
+
+    /** Those of the segments in the clip, and the same hues darker for a light page. */
+    private void colours() {
+        for (Theme theme : new Theme[] {Theme.LIGHT, Theme.DARK}) {
+            html.append(theme == Theme.DARK ? "@media (prefers-color-scheme: dark) { " : "").append(":root {");
+            for (int k = 0; k < CURVES; k++) {
+                html.append(String.format(Locale.ROOT, " --c%d: #%06x;", k, theme.segmentColour(k)));
+            }
+            html.append(theme == Theme.DARK ? " } }\n" : " }\n");
+        }
+        for (int k = 0; k < CURVES; k++) {
+            html.append(String.format(".line.c%1$d { stroke: var(--c%1$d); } .life.c%1$d, .said.c%1$d { fill: "
+                + "var(--c%1$d); } .key.c%1$d { border-color: var(--c%1$d); }%n", k));
+        }
     }
 
     private void figures() {
@@ -93,24 +124,40 @@ final class ReportPage {
             .append("</dt></div>");
     }
 
-    private void moving() {
-        if (clip.length > 0) {
-            html.append("<h2>What moves</h2><p>The first ").append(durationS > 10 ? "10 seconds" : "seconds")
-                .append(", at the speed of life. Left: the colour is the direction, as on the wheel. Right: a colour "
-                    + "and a number is one moving structure; the arrow is its velocity.</p>"
-                    + "<video controls loop muted playsinline src=\"data:video/mp4;base64,")
-                .append(Base64.getEncoder().encodeToString(clip)).append("\"></video>\n");
+    private void clip(OutputStream out) throws IOException {
+        double fromS = highlights.clipFirst() * Highlights.STEP_US * 1e-6;
+        double toS = Math.min(durationS, highlights.clipEnd() * Highlights.STEP_US * 1e-6);
+        html.append("<h2>What moves</h2><p>");
+        if (highlights.clipIsAll()) {
+            html.append("The whole recording");
+        } else {
+            html.append(String.format(Locale.ROOT, "From %.1f to %.1f s, the %d seconds in which most events have flow",
+                fromS, toS, Highlights.CLIP_S));
         }
-        if (!thumbnails.isEmpty()) {
-            html.append("<h2>Busiest moments</h2><div class=\"grid\">");
-            for (ReportCollector.Thumbnail each : thumbnails) {
-                html.append("<figure><img alt=\"flow and segments\" src=\"data:image/png;base64,")
-                    .append(Base64.getEncoder().encodeToString(each.png())).append("\"><figcaption>")
-                    .append(String.format(Locale.ROOT, "%.3f s: %,d events in 33 ms", each.sinceFirstUs() * 1e-6,
-                        each.events())).append("</figcaption></figure>");
+        html.append(", at the speed of life. Left: the colour is the direction, as on the wheel. Right: a colour "
+            + "and a number is one moving structure; the arrow is its velocity.</p>"
+            + "<video controls loop muted playsinline src=\"data:video/mp4;base64,");
+        flush(out);
+        Base64.Encoder encoder = Base64.getEncoder();
+        try (InputStream film = Files.newInputStream(clip)) {
+            // a multiple of three bytes becomes letters without padding between
+            for (byte[] part = film.readNBytes(3 << 14); part.length > 0; part = film.readNBytes(3 << 14)) {
+                out.write(encoder.encode(part));
             }
-            html.append("</div>\n");
         }
+        html.append("\"></video>\n");
+    }
+
+    private void busiest() {
+        html.append("<h2>Busiest moments</h2><div class=\"grid\">");
+        for (HighlightPainter.Thumbnail each : thumbnails) {
+            html.append("<figure><img alt=\"flow and segments\" src=\"data:image/png;base64,")
+                .append(Base64.getEncoder().encodeToString(each.png())).append("\"><figcaption>")
+                .append(String.format(Locale.ROOT, "%.3f s: %,d events in %d ms",
+                    each.moment().step() * Highlights.STEP_US * 1e-6, each.moment().events(),
+                    Highlights.STEP_US / 1000)).append("</figcaption></figure>");
+        }
+        html.append("</div>\n");
     }
 
     private void overTime() {
@@ -141,8 +188,8 @@ final class ReportPage {
             }
         }
         html.append("<h2>Segments</h2><p>");
-        html.append(curves.size() > CURVES ? "The " + CURVES + " with the most events," : "By number,");
-        html.append(" with the numbers of the clip but colours of their own:");
+        html.append(curves.size() > CURVES ? "The " + CURVES + " with the most events," : "All,");
+        html.append(" with their numbers and colours in the clip (darker on a light page):");
         for (int k = 0; k < drawn.size(); k++) {
             html.append(" <span class=\"key c").append(k).append("\">").append(drawn.get(k).id).append("</span>");
         }
@@ -237,7 +284,9 @@ final class ReportPage {
 
     private void beginPlot(String title, double from, double to, String unit) {
         html.append("<figure><figcaption>").append(escaped(title)).append(", ").append(escaped(unit))
-            .append("</figcaption><svg class=\"plot\" data-to=\"").append(durationS).append("\" viewBox=\"0 0 ")
+            .append("</figcaption><svg class=\"plot\" data-to=\"").append(durationS)
+            .append("\" data-low=\"").append(from).append("\" data-high=\"").append(to).append("\" data-unit=\"")
+            .append(unit).append("\" viewBox=\"0 0 ")
             .append(WIDTH).append(' ').append(HEIGHT).append("\" role=\"img\" aria-label=\"").append(escaped(title))
             .append("\">");
         for (int i = 0; i <= 4; i++) {
