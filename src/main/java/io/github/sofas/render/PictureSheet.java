@@ -69,8 +69,8 @@ public final class PictureSheet {
     /**
      * Makes a sheet on which nothing has been seen.
      *
-     * @throws IllegalArgumentException where the crop is not on the sensor, or a picture would have more than 9.4 million
-     *     pixels
+     * @throws IllegalArgumentException where the crop is not on the sensor, or a picture would have more than 9.4
+     *     million pixels
      */
     public PictureSheet(SensorSize sensor, PictureOptions options) {
         this.sensor = sensor;

@@ -3,8 +3,8 @@ package io.github.sofas.render;
 import java.util.TreeMap;
 
 /**
- * Colours of segments: each keeps its colour for life. A new one gets a colour that no segment seen with it has, the one
- * that differs most from those of its neighbours; when all colours are in sight, that of a segment far away.
+ * Colours of segments: each keeps its colour for life. A new one gets a colour that no segment seen with it has, the
+ * one that differs most from those of its neighbours; when all colours are in sight, that of a segment far away.
  */
 final class SegmentColours {
     /** Segments remembered: ids rise, so that the lowest are long gone when there are so many. */

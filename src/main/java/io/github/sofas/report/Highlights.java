@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Finds what of a recording is worth a picture: the busiest moments, and the seconds in which most events have flow. */
+/** Finds what of a recording is worth a picture: busy moments, and the seconds in which most events have flow. */
 final class Highlights {
     /** Pictures a second of the clip. */
     static final int FPS = 30;

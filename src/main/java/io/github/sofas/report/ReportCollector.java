@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Sees the labelled events of a run, and writes a page about them. What is worth a picture is known only at the end: the
- * events of the pictures are then read again, from the flow file that the run wrote.
+ * Sees the labelled events of a run, and writes a page about them. What is worth a picture is known only at the end:
+ * the events of the pictures are then read again, from the flow file that the run wrote.
  */
 public final class ReportCollector {
     static final int DIRECTIONS = 36;
@@ -96,7 +96,7 @@ public final class ReportCollector {
      * @param out left open
      * @param summary of the same run
      * @param command what was typed, to be typed again
-     * @param flow rows of the same events with their labels, as {@link io.github.sofas.export.FlowCsvWriter} writes them
+     * @param flow rows of the same events with their labels, of {@link io.github.sofas.export.FlowCsvWriter}
      * @throws IOException where it cannot be written, or the rows cannot be read
      */
     public void write(OutputStream out, RunSummary summary, String command, Path flow) throws IOException {

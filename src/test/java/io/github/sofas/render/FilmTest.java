@@ -50,7 +50,7 @@ public class FilmTest {
         }
     }
 
-    /** A dot of each of 300 colours, more than a GIF has, comes and goes on a ground that stays. */
+    /** Dots of 300 colours, more than one palette holds, come and go on a ground that stays. */
     @Test
     public void gifPicturesAddUpWithColoursOfTheirOwn() throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -67,7 +67,8 @@ public class FilmTest {
         assertEquals(6, reader.getNumImages(true));
         BufferedImage shown = new BufferedImage(64, 32, BufferedImage.TYPE_INT_RGB);
         for (int k = 0; k < 6; k++) {
-            IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(k).getAsTree("javax_imageio_gif_image_1.0");
+            IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(k)
+                .getAsTree("javax_imageio_gif_image_1.0");
             IIOMetadataNode place = (IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0);
             shown.createGraphics().drawImage(reader.read(k), Integer.parseInt(place.getAttribute("imageLeftPosition")),
                 Integer.parseInt(place.getAttribute("imageTopPosition")), null);
