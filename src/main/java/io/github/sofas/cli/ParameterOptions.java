@@ -31,6 +31,7 @@ final class ParameterOptions {
     /** All but the preset, which has an option of its own. */
     private static final List<RecordComponent> OPTIONS = Arrays.stream(COMPONENTS)
         .filter(component -> component.isAnnotationPresent(Parameter.class)).toList();
+    private static final List<String> DESCRIPTIONS = descriptions();
 
     /** What shell completion offers. */
     private static final class PresetNames extends ArrayList<String> {
@@ -70,9 +71,10 @@ final class ParameterOptions {
     static void addTo(CommandSpec command) {
         ArgGroupSpec.Builder group = ArgGroupSpec.builder().validate(false).exclusive(false).order(100)
             .heading("%nAlgorithm parameters, each over its value in the preset and the config file:%n");
-        for (RecordComponent component : OPTIONS) {
+        for (int i = 0; i < OPTIONS.size(); i++) {
+            RecordComponent component = OPTIONS.get(i);
             group.addArg(OptionSpec.builder("--" + optionName(component)).paramLabel(label(component))
-                .type(String.class).description(description(component)).build());
+                .type(String.class).description(DESCRIPTIONS.get(i)).build());
         }
         command.addArgGroup(group.build());
     }
@@ -94,15 +96,21 @@ final class ParameterOptions {
         return String.join("|", Arrays.stream(type.getEnumConstants()).map(ParameterOptions::text).toList());
     }
 
-    private static String description(RecordComponent component) {
+    private static List<String> descriptions() {
+        SofasParameters defaults = SofasParameters.defaults();
+        SofasParameters paper = SofasParameters.paper();
+        return OPTIONS.stream().map(component -> description(component, defaults, paper)).toList();
+    }
+
+    private static String description(RecordComponent component, SofasParameters defaults, SofasParameters paper) {
         Parameter parameter = component.getAnnotation(Parameter.class);
         StringBuilder text = new StringBuilder(parameter.value());
         if (component.getType() != boolean.class && !component.getType().isEnum()) {
             text.append("; ").append(plain(parameter.min())).append(" to ").append(plain(parameter.max()));
             text.append(parameter.unit().isEmpty() ? "" : " " + parameter.unit());
         }
-        text.append("; default ").append(text(value(component, SofasParameters.defaults())));
-        text.append(", paper ").append(text(value(component, SofasParameters.paper()))).append('.');
+        text.append("; default ").append(text(value(component, defaults)));
+        text.append(", paper ").append(text(value(component, paper))).append('.');
         // Picocli reads percent signs and variables in descriptions.
         return text.toString().replace("%", "%%").replace("${", "$ {");
     }

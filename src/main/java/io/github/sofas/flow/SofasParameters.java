@@ -223,6 +223,8 @@ public record SofasParameters(
         DEFAULT
     }
 
+    private static final RecordComponent[] COMPONENTS = SofasParameters.class.getRecordComponents();
+
     /**
      * Checks every component.
      *
@@ -260,7 +262,7 @@ public record SofasParameters(
             throw new IllegalArgumentException("preset must be paper or default but was null");
         }
         int i = 0;
-        for (RecordComponent component : SofasParameters.class.getRecordComponents()) {
+        for (RecordComponent component : COMPONENTS) {
             if (component.getType() == Preset.class || component.getType() == boolean.class) {
                 continue;
             }
