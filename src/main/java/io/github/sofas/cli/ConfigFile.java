@@ -1,7 +1,9 @@
 package io.github.sofas.cli;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.StringReader;
+import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,6 +16,9 @@ import java.util.Properties;
 
 /** A Java properties file in UTF-8 whose keys are named in messages with their line. */
 final class ConfigFile {
+    /** More than any has; whoever names a recording by mistake is told so. */
+    private static final int MOST_BYTES = 1 << 20;
+
     private final Path file;
     private final Properties properties = new Properties();
     private final List<String> lines;
@@ -30,17 +35,29 @@ final class ConfigFile {
      */
     static ConfigFile read(Path file) {
         String name = "[" + file.getFileName() + "] ";
-        try {
-            String text = Files.readString(file, StandardCharsets.UTF_8);
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes(MOST_BYTES + 1);
+            if (bytes.length > MOST_BYTES) {
+                throw new IllegalArgumentException(name + "must have at most " + MOST_BYTES + " bytes but has more");
+            }
+            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
             ConfigFile config = new ConfigFile(file, text.lines().toList());
-            config.properties.load(new StringReader(text));
+            config.load(text, name);
             return config;
         } catch (NoSuchFileException e) {
             throw new IllegalArgumentException(name + "no such file: " + file, e);
         } catch (CharacterCodingException e) {
             throw new IllegalArgumentException(name + "must be text in UTF-8 but is not", e);
-        } catch (IOException | IllegalArgumentException e) {
-            // Properties complains of \\u escapes with an IllegalArgumentException.
+        } catch (IOException e) {
+            throw new IllegalArgumentException(name + "cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private void load(String text, String name) throws IOException {
+        try {
+            properties.load(new StringReader(text));
+        } catch (IllegalArgumentException e) {
+            // Properties complains of \\u escapes so.
             throw new IllegalArgumentException(name + "cannot be read: " + e.getMessage(), e);
         }
     }

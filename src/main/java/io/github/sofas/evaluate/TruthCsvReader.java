@@ -20,6 +20,7 @@ public final class TruthCsvReader implements Closeable {
     public static final String HEADER = "t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,object";
 
     private static final String[] COLUMNS = HEADER.split(",");
+    private static final int MOST_CHARACTERS = 1000;
     private static final int VX = 4;
     private static final int OBJECT = 6;
 
@@ -49,7 +50,7 @@ public final class TruthCsvReader implements Closeable {
         // Every byte is a character here, so that a binary file is refused for its first line, not for its encoding.
         TruthCsvReader reader = new TruthCsvReader(file, Files.newBufferedReader(file, StandardCharsets.ISO_8859_1));
         try {
-            String first = reader.in.readLine();
+            String first = reader.readLine();
             if (!HEADER.equals(first)) {
                 throw reader.wrong("must be \"" + HEADER + "\" but " + (first == null ? "the file is empty"
                         : "was " + quoted(first)));
@@ -71,7 +72,7 @@ public final class TruthCsvReader implements Closeable {
         makeRoom(batch.size());
         for (int i = 0; i < batch.size(); i++) {
             line++;
-            String text = in.readLine();
+            String text = readLine();
             if (text == null) {
                 throw wrong("must be event " + size + " of the recording (" + event(batch.timeUs[i], batch.x[i],
                         batch.y[i], batch.polarity[i]) + ") but the file ends");
@@ -106,7 +107,7 @@ public final class TruthCsvReader implements Closeable {
      */
     public void end() throws TruthException, IOException {
         line++;
-        String text = in.readLine();
+        String text = readLine();
         if (text != null) {
             throw wrong("must not be there, as the recording has " + size + " events, but was " + quoted(text));
         }
@@ -121,6 +122,24 @@ public final class TruthCsvReader implements Closeable {
     @Override
     public void close() throws IOException {
         in.close();
+    }
+
+    /** The next line, at most so long that what is no text takes no memory; null at the end. */
+    private String readLine() throws TruthException, IOException {
+        StringBuilder text = new StringBuilder();
+        int c = in.read();
+        if (c < 0) {
+            return null;
+        }
+        for (; c >= 0 && c != '\n'; c = in.read()) {
+            if (text.length() == MOST_CHARACTERS) {
+                throw wrong("must have at most " + MOST_CHARACTERS + " characters but begins with " + quoted(
+                    text.toString()));
+            }
+            text.append((char) c);
+        }
+        int last = text.length() - 1;
+        return last >= 0 && text.charAt(last) == '\r' ? text.substring(0, last) : text.toString();
     }
 
     private void makeRoom(int more) {

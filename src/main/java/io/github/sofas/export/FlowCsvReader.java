@@ -99,21 +99,24 @@ public final class FlowCsvReader implements Closeable {
             return false;
         }
         int i = batch.size();
-        long timeUs = whole("t_us", ',', MOST_US);
-        long x = whole("x", ',', Short.MAX_VALUE);
-        long y = whole("y", ',', Short.MAX_VALUE);
-        long polarity = whole("polarity", ',', 1);
+        long timeUs = whole("t_us", ',', -MOST_US, MOST_US);
+        long x = whole("x", ',', 0, Short.MAX_VALUE);
+        long y = whole("y", ',', 0, Short.MAX_VALUE);
+        long polarity = whole("polarity", ',', -1, 1);
+        if (polarity == 0) {
+            throw wrong("polarity", "1 or -1");
+        }
         flow.vxPxPerS[i] = (float) number("vx_px_per_s", ',');
         flow.vyPxPerS[i] = (float) number("vy_px_per_s", ',');
-        flow.segment[i] = (int) whole("segment", '\n', Integer.MAX_VALUE);
+        flow.segment[i] = (int) whole("segment", '\n', 0, Integer.MAX_VALUE);
         batch.add(timeUs, (int) x, (int) y, (int) polarity);
         return true;
     }
 
-    private long whole(String column, char end, long most) throws EventSourceException {
+    private long whole(String column, char end, long least, long most) throws EventSourceException {
         double value = number(column, end);
-        if (decimals > 0 || digits == 0 || Math.abs(value) > most) {
-            throw wrong(column, "a whole number up to " + most);
+        if (decimals > 0 || digits == 0 || value < least || value > most) {
+            throw wrong(column, "a whole number from " + least + " to " + most);
         }
         return (long) value;
     }

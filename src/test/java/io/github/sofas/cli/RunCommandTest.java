@@ -388,6 +388,8 @@ public class RunCommandTest {
             config);
         Files.write(config, new byte[] {(byte) 0xFF, '=', '3'});
         assertUsage("[my.properties] must be text in UTF-8 but is not", HEXAGON, "--config", config);
+        Files.write(config, new byte[(1 << 20) + 1]);
+        assertUsage("[my.properties] must have at most 1048576 bytes but has more", HEXAGON, "--config", config);
         Files.delete(config);
         assertUsage("[my.properties] no such file: " + config, HEXAGON, "--config", config);
     }

@@ -51,6 +51,18 @@ public class TruthCsvReaderTest {
     }
 
     @Test
+    public void refusesALineThatIsNoText() {
+        assertRefuses("line 1: must have at most 1000 characters but begins with \"" + "?".repeat(100) + "...\"",
+            "\0".repeat(1001));
+    }
+
+    @Test
+    public void refusesALineThatIsTooLong() {
+        assertRefuses("line 2: must have at most 1000 characters but begins with \"" + "1".repeat(100) + "...\"",
+            TruthCsvReader.HEADER, "1".repeat(5000));
+    }
+
+    @Test
     public void readsLinesThatEndInCarriageReturns() throws TruthException, IOException {
         assertEquals(2, read(TruthCsvReader.HEADER + "\r", "100,3,4,1,5,0,1\r", "105,7,0,-1,0,0,0\r").size());
     }

@@ -70,6 +70,28 @@ public class FlowCsvReaderTest {
     }
 
     @Test
+    public void refusesWhatTheWriterNeverWrites() throws IOException {
+        assertEquals("[a.flow.csv] line 2: x must be a whole number from 0 to 32767 but was not",
+            damage("10,-1,2,1,,,0\n"));
+        assertEquals("[a.flow.csv] line 2: y must be a whole number from 0 to 32767 but was not",
+            damage("10,1,32768,1,,,0\n"));
+        assertEquals("[a.flow.csv] line 2: polarity must be 1 or -1 but was not", damage("10,1,2,0,,,0\n"));
+        assertEquals("[a.flow.csv] line 2: segment must be a whole number from 0 to 2147483647 but was not",
+            damage("10,1,2,1,,,-3\n"));
+    }
+
+    private String damage(String row) throws IOException {
+        Path file = folder.newFolder().toPath().resolve("a.flow.csv");
+        Files.writeString(file, HEADER + row);
+        EventSourceException damage = assertThrows(EventSourceException.class, () -> {
+            try (FlowCsvReader reader = FlowCsvReader.open(file)) {
+                reader.next(new EventBatch(8), new FlowOutput(8));
+            }
+        });
+        return damage.getMessage();
+    }
+
+    @Test
     public void lineWithoutItsEndIsDamage() throws IOException, EventSourceException {
         try (FlowCsvReader reader = FlowCsvReader.open(file(HEADER + "10,1,2,1,,,0"))) {
             assertEquals("[a.flow.csv] line 2: segment must be a number followed by the line's end but was not",
