@@ -1,7 +1,11 @@
 package io.github.sofas;
 
+import io.github.sofas.cli.FileFuzz;
 import io.github.sofas.cli.ParameterFuzz;
+import io.github.sofas.evaluate.TruthCsvFuzz;
+import io.github.sofas.export.FlowCsvFuzz;
 import io.github.sofas.flow.EngineFuzz;
+import io.github.sofas.live.LiveFuzz;
 import io.github.sofas.recording.ReaderFuzz;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
@@ -18,7 +22,9 @@ import java.util.List;
 public final class FuzzTargets {
     static final List<Class<?>> ALL = List.of(ReaderFuzz.Aedat1.class, ReaderFuzz.Aedat2Dvs128.class,
         ReaderFuzz.Aedat2Davis.class, ReaderFuzz.Aedat3.class, ReaderFuzz.Aedat4.class, ReaderFuzz.Lz4.class,
-        ReaderFuzz.Text.class, ReaderFuzz.Detection.class, ParameterFuzz.class, EngineFuzz.class);
+        ReaderFuzz.Text.class, ReaderFuzz.Detection.class, LiveFuzz.Davis.class, LiveFuzz.Dvs128.class,
+        LiveFuzz.Datagrams.class, FlowCsvFuzz.class, TruthCsvFuzz.class, FileFuzz.BiasesFile.class,
+        FileFuzz.EarlierSummary.class, ParameterFuzz.class, EngineFuzz.class);
 
     private FuzzTargets() {
     }

@@ -199,7 +199,7 @@ final class LiveCommand implements Callable<Integer> {
     private int runCamera(MethodChoice method) throws EventSourceException, UsbException, IOException {
         ConfigFile changes = biases == null ? null : readBiases();
         try (UsbTransport usb = new Usb4JavaTransport(); CameraSource source = new Cameras(usb).open(serial)) {
-            Biases chosen = change(Biases.defaults(source.model()), changes);
+            Biases chosen = biases(source, changes);
             return run(source, method, () -> source.start(chosen));
         }
     }
@@ -212,15 +212,27 @@ final class LiveCommand implements Callable<Integer> {
         }
     }
 
-    private Biases change(Biases defaults, ConfigFile changes) {
+    private Biases biases(CameraSource source, ConfigFile changes) {
+        Biases defaults = Biases.defaults(source.model());
+        try {
+            return changes == null ? defaults : changed(defaults, changes);
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+    }
+
+    /**
+     * Biases with the changes that a file asks for.
+     *
+     * @throws IllegalArgumentException where it names one that is not there or a value out of range
+     */
+    static Biases changed(Biases defaults, ConfigFile changes) {
         Biases changed = defaults;
-        if (changes != null) {
-            for (String key : changes.keys()) {
-                try {
-                    changed = changed.with(key, changes.value(key));
-                } catch (IllegalArgumentException e) {
-                    throw usage(changes.place(key) + e.getMessage());
-                }
+        for (String key : changes.keys()) {
+            try {
+                changed = changed.with(key, changes.value(key));
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException(changes.place(key) + e.getMessage(), e);
             }
         }
         return changed;

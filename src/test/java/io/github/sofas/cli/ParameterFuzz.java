@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Command lines and config files: whatever they say, they are refused in one message, or their parameters are taken.
@@ -14,6 +15,10 @@ import java.util.List;
  */
 public final class ParameterFuzz {
     private static final Path CONFIG = config();
+    private static final Map<String, List<String>> COMMANDS = Map.of(
+        "run", List.of("run", "no such recording", "--out", "no such folder"),
+        "render", List.of("render", "no such recording", "--out", "no such folder"),
+        "evaluate", List.of("evaluate", "no such recording", "--truth", "no such truth"));
 
     private ParameterFuzz() {
     }
@@ -28,10 +33,11 @@ public final class ParameterFuzz {
         }
     }
 
-    /** Called by the fuzzer: a config file up to the first zero, then arguments between zeros. */
+    /** Called by the fuzzer: a config file up to the first zero, then arguments between zeros, a command the first. */
     public static void fuzzerTestOneInput(byte[] data) {
         String[] parts = new String(data, StandardCharsets.ISO_8859_1).split("\0", -1);
-        List<String> arguments = new ArrayList<>(List.of("run", "no such recording", "--out", "no such folder"));
+        List<String> command = COMMANDS.getOrDefault(parts.length > 1 ? parts[1] : "", COMMANDS.get("run"));
+        List<String> arguments = new ArrayList<>(command);
         try {
             Files.write(CONFIG, parts[0].getBytes(StandardCharsets.ISO_8859_1));
         } catch (IOException e) {
@@ -40,7 +46,7 @@ public final class ParameterFuzz {
         if (!parts[0].isEmpty()) {
             arguments.addAll(List.of("--config", CONFIG.toString()));
         }
-        for (int i = 1; i < parts.length; i++) {
+        for (int i = parts.length > 1 && COMMANDS.containsKey(parts[1]) ? 2 : 1; i < parts.length; i++) {
             arguments.add(parts[i]);
         }
         Executed run = Executed.command(arguments.toArray(new String[0]));
@@ -60,10 +66,12 @@ public final class ParameterFuzz {
     public static List<byte[]> seeds() {
         List<byte[]> seeds = new ArrayList<>();
         for (String text : List.of("lifetime-px=6\nmax-track-planes = 3\n# no more\nrotation: false\n", "",
-            "merge-loss=1e-2\0--preset\0paper\0--cycles=2", "\0--lifetime-px\0" + 5 + "\0--max-lifetime-px\0" + 4,
-            "\0--method\0lucas-kanade\0--derivative\0central-difference", "\0--chip\0DAVIS240C\0--strict\0-j\0" + 2,
-            "flow\\u002dtravel-px=6", "\0--rotation\0true\0--quiet\0--force\0--name-with-extension")) {
-            seeds.add(text.getBytes(StandardCharsets.ISO_8859_1));
+            "merge-loss=1e-2|--preset|paper|--cycles=2", "|--lifetime-px|5|--max-lifetime-px|4",
+            "|--method|lucas-kanade|--derivative|central-difference", "|--chip|DAVIS240C|--strict|-j|2",
+            "flow\\u002dtravel-px=6", "|--rotation|true|--quiet|--force|--name-with-extension",
+            "|evaluate|--skip-first-share|0.5", "|render|--panels|flow,segments|--crop|1,2,30,40|--slow|10",
+            "|render|--exposure|20ms|--from|0.5|--every|5000|--theme|light")) {
+            seeds.add(text.replace('|', '\0').getBytes(StandardCharsets.ISO_8859_1));
         }
         return seeds;
     }
