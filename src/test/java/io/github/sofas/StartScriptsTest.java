@@ -170,6 +170,22 @@ public class StartScriptsTest {
     }
 
     @Test
+    public void namesOfFilesAreUtf8InThePlainLocaleAndElseAsTheUserHasThem() throws Exception {
+        Path java = installJava("jdk-21", "21.0.2");
+        script(java.resolve("bin/java"), "echo \"$LC_ALL\"");
+        environment.put("SOFAS_JAVA", java.toString());
+        markBuilt();
+        assertEquals("C.UTF-8\n", run("sofas", "run").out);
+        environment.put("LC_ALL", "POSIX");
+        environment.put("LANG", "de_DE.UTF-8");
+        assertEquals("C.UTF-8\n", run("sofas", "run").out);
+        environment.put("LC_ALL", "");
+        assertEquals("\n", run("sofas", "run").out);
+        environment.put("LC_ALL", "de_DE.ISO-8859-1");
+        assertEquals("de_DE.ISO-8859-1\n", run("sofas", "run").out);
+    }
+
+    @Test
     public void buildsOnceAfterASourceChanged() throws Exception {
         environment.put("SOFAS_JAVA", installJava("jdk-21", "21.0.2").toString());
         script(project.resolve("gradlew"), "echo \"gradlew $*\"");

@@ -30,6 +30,10 @@ final class RecordingArguments {
     static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat");
 
     private static final String WILDCARDS = "*?[{";
+    /** What stands in an argument for bytes that are no characters. */
+    private static final char UNREADABLE = '\uFFFD';
+    /** Of file names. */
+    private static final String ENCODING = System.getProperty("sun.jnu.encoding", "this system's encoding");
 
     private RecordingArguments() {
     }
@@ -83,7 +87,8 @@ final class RecordingArguments {
             }
             return found;
         }
-        throw new IllegalArgumentException("[" + argument + "] no such file");
+        throw new IllegalArgumentException("[" + argument + "] no such file" + (argument.indexOf(UNREADABLE) < 0 ? ""
+            : "; one whose name is not in " + ENCODING + " is reached by its directory or a quoted pattern"));
     }
 
     private static boolean looksLikeRecording(Path file) {
@@ -141,12 +146,14 @@ final class RecordingArguments {
      * Names the results of each recording, in the order given.
      *
      * @param withExtension whether the last extension is kept
-     * @throws IllegalArgumentException where two recordings have one name, with a message for the user
+     * @throws IllegalArgumentException where two recordings have one name or one is no name for a file, with a message
+     *     for the user
      */
     static Map<String, Path> byName(List<Path> recordings, boolean withExtension) {
         Map<String, Path> named = new LinkedHashMap<>();
         for (Path recording : recordings) {
             String name = name(recording, withExtension);
+            checkResultsCanBeNamed(recording, name);
             Path other = named.putIfAbsent(name, recording);
             if (other != null) {
                 throw new IllegalArgumentException("[" + recording + "] results must have different names but those of "
@@ -155,6 +162,16 @@ final class RecordingArguments {
             }
         }
         return named;
+    }
+
+    /** A name whose bytes are no characters can be read from a directory, but not be written everywhere. */
+    private static void checkResultsCanBeNamed(Path recording, String name) {
+        try {
+            Path.of(name);
+        } catch (InvalidPathException e) {
+            throw new IllegalArgumentException("[" + recording + "] results cannot be named after it: the name must be "
+                + "in " + ENCODING + " but is not", e);
+        }
     }
 
     private static String name(Path recording, boolean withExtension) {

@@ -4,6 +4,7 @@ import io.github.sofas.event.EventSourceException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -45,7 +46,8 @@ public final class Recordings {
         } catch (AccessDeniedException e) {
             throw new EventSourceException(failed + "no permission to read it", e);
         } catch (IOException e) {
-            throw new EventSourceException(failed + Printable.of(e.toString()), e);
+            String reason = e instanceof FileSystemException ? ((FileSystemException) e).getReason() : null;
+            throw new EventSourceException(failed + Printable.of(reason == null ? e.toString() : reason), e);
         } finally {
             if (file != null && reader == null) {
                 closeQuietly(file);

@@ -5,6 +5,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.Skipped;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.recording.Aedat2Writer;
@@ -336,6 +337,22 @@ public class RunCommandTest {
             + "dat", empty);
         assertUsage("[" + root + "/*.aedat] no file matches this pattern", root + "/*.aedat");
         assertUsage("[" + root + "/none/*.aedat] no file matches this pattern", root + "/none/*.aedat");
+    }
+
+    @Test
+    public void recordingWhoseNameIsNoTextIsRunByItsDirectory() throws Exception {
+        if (!"UTF-8".equals(System.getProperty("sun.jnu.encoding")) || !Files.isExecutable(Path.of("/bin/sh"))) {
+            throw Skipped.because("names are not UTF-8 here, or there is no /bin/sh to make another");
+        }
+        Path recording = writeEdge(root.resolve("in/edge.aedat"));
+        // an e with an accent in Latin-1
+        assertEquals(0, new ProcessBuilder("sh", "-c", "mv edge.aedat \"$(printf 'caf\\351.aedat')\"")
+            .directory(recording.getParent().toFile()).start().waitFor());
+        assertUsage("[caf\uFFFD.aedat] no such file; one whose name is not in UTF-8 is reached by its directory or a "
+            + "quoted pattern", "caf\uFFFD.aedat");
+        Executed run = run(recording.getParent());
+        assertEquals(run.err, 0, run.exitCode);
+        assertEquals(results("caf\uFFFD"), filesIn(out));
     }
 
     @Test
