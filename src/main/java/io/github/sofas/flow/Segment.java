@@ -6,7 +6,7 @@ package io.github.sofas.flow;
  * @param id from 1, never used again before a reset
  * @param firstTimeUs time of its first event in µs
  * @param lastTimeUs time of its last event in µs
- * @param events how many events were assigned to it
+ * @param events how many events were assigned to it, and to those that were merged into it
  * @param vxPxPerS last velocity to the right in px/s
  * @param vyPxPerS last velocity downwards in px/s
  * @param minX leftmost column of its contour at its last event; the box is on the sensor

@@ -18,8 +18,11 @@ import java.util.function.Consumer;
  * sofas.process(batch, flow);        // flow.vxPxPerS[i], flow.vyPxPerS[i], flow.segment[i]
  * }</pre>
  *
- * <p>Results do not depend on how the events are cut into batches. One thread at a time, but for
- * {@link #setParameters}.
+ * <p>Results do not depend on how the events are cut into batches.
+ *
+ * <p>Any thread may call any method at any time: what it asks is done between two batches, and waits for the one that
+ * is being labelled ({@link #setParameters} and {@link #parameters} do not wait). Engines share nothing. Batches and
+ * outputs are the caller's: no two threads may use one at once.
  */
 public final class Sofas implements EventLabeller {
     private final SensorSize sensor;
@@ -118,7 +121,7 @@ public final class Sofas implements EventLabeller {
      * @throws IllegalArgumentException where the batch holds more events than the output
      */
     @Override
-    public void process(EventBatch batch, FlowOutput output) {
+    public synchronized void process(EventBatch batch, FlowOutput output) {
         int n = batch.size();
         if (n > output.capacity()) {
             throw new IllegalArgumentException("output must hold " + n + " events but holds " + output.capacity());
@@ -150,12 +153,12 @@ public final class Sofas implements EventLabeller {
 
     /** Segments that are tracked at the newest event. */
     @Override
-    public List<Segment> segments() {
+    public synchronized List<Segment> segments() {
         return method.segments();
     }
 
-    /** The metrics of the flow plane as they are now, to be shown; from the thread that labels. */
-    public MetricArray metricArray() {
+    /** The metrics of the flow plane as they are now, to be shown. */
+    public synchronized MetricArray metricArray() {
         return method.metricArray();
     }
 
@@ -167,23 +170,23 @@ public final class Sofas implements EventLabeller {
      * @param pixels gets each pixel on the sensor, in no particular order, some more than once; it must not call the
      *     engine
      */
-    public void contour(int id, PixelConsumer pixels) {
+    public synchronized void contour(int id, PixelConsumer pixels) {
         method.contour(id, newestUs, pixels);
     }
 
     /** How many events lay outside the sensor since the start or the last reset. */
-    public long eventsOutside() {
+    public synchronized long eventsOutside() {
         return outside;
     }
 
     /** How many events were earlier than one before them, since the start or the last reset. */
-    public long eventsBackwards() {
+    public synchronized long eventsBackwards() {
         return backwards;
     }
 
     /** Forgets all events and segments, as if made anew; the living segments end as removed. */
     @Override
-    public void reset() {
+    public synchronized void reset() {
         method.reset();
         newestUs = Long.MIN_VALUE;
         outside = 0;

@@ -1,0 +1,140 @@
+package io.github.sofas.flow;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.PlainPlane.Event;
+import io.github.sofas.simulate.Scene;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.Test;
+
+/** Several threads at one engine, and engines side by side. */
+public class ConcurrencyTest {
+    private static final SensorSize SENSOR = new SensorSize(128, 128);
+    private static final List<Event> FILM = Streams.filmed(Scene.TWO_OPPOSITE, SENSOR, 0.5, 20, 12_000);
+    private static final int BATCH = 250;
+    private static final int FILMS = 4;
+
+    /** What an engine said of the whole film. */
+    private static final class Labels {
+        final int[] segment = new int[FILM.size()];
+        final float[] vxPxPerS = new float[FILM.size()];
+        final float[] vyPxPerS = new float[FILM.size()];
+        List<Segment> segments;
+
+        void assertSame(Labels other) {
+            assertArrayEquals(segment, other.segment);
+            assertArrayEquals(vxPxPerS, other.vxPxPerS, 0);
+            assertArrayEquals(vyPxPerS, other.vyPxPerS, 0);
+            assertEquals(segments, other.segments);
+        }
+    }
+
+    private static Labels label(Sofas sofas) {
+        int n = FILM.size();
+        Labels labels = new Labels();
+        FlowOutput output = new FlowOutput(BATCH);
+        for (int i = 0; i < n; i += BATCH) {
+            EventBatch batch = Streams.batch(FILM.subList(i, Math.min(n, i + BATCH)));
+            sofas.process(batch, output);
+            System.arraycopy(output.segment, 0, labels.segment, i, batch.size());
+            System.arraycopy(output.vxPxPerS, 0, labels.vxPxPerS, i, batch.size());
+            System.arraycopy(output.vyPxPerS, 0, labels.vyPxPerS, i, batch.size());
+        }
+        labels.segments = sofas.segments();
+        return labels;
+    }
+
+    /** Whatever another thread may ask of an engine, one at random. */
+    private static void disturb(Sofas sofas, Random random, SofasParameters base) {
+        switch (random.nextInt(5)) {
+            case 0:
+                SofasParameters p = random.nextInt(8) > 0 ? base : base.preset() == SofasParameters.Preset.PAPER
+                    ? SofasParameters.defaults() : SofasParameters.paper();
+                sofas.setParameters(p.withFlowProjections(5 + random.nextInt(5))
+                    .withLifetimePx(1 + random.nextInt(5)).withMaxTrackPlanes(1 + random.nextInt(64))
+                    .withLifespanUs(100_000 + random.nextInt(900_000)));
+                break;
+            case 1:
+                if (random.nextInt(4) == 0) {
+                    sofas.reset();
+                }
+                break;
+            case 2:
+                MetricArray array = sofas.metricArray();
+                for (int i = 0; i < array.n() * array.n(); i++) {
+                    float perEvent = array.perEvent(i / array.n(), i % array.n());
+                    assertTrue("metric " + perEvent, perEvent >= 0 && Float.isFinite(perEvent));
+                }
+                break;
+            case 3:
+                sofas.contour(1 + random.nextInt(3), (x, y) -> assertTrue(x + " " + y, SENSOR.contains(x, y)));
+                break;
+            default:
+                sofas.segments().forEach(segment -> HostileEventsTest.check("asked meanwhile", segment, SENSOR));
+                assertTrue(sofas.eventsOutside() == 0 && sofas.eventsBackwards() <= FILM.size());
+                break;
+        }
+    }
+
+    @Test
+    public void noCallOfAnotherThreadTearsAnEngine() throws Exception {
+        for (SofasParameters base : List.of(SofasParameters.defaults(), SofasParameters.paper())) {
+            AtomicLong eventsOfEnded = new AtomicLong();
+            // the events of a merged one count among those of the other
+            Sofas sofas = new Sofas(SENSOR, base, segment ->
+                eventsOfEnded.addAndGet(segment.fate() == Segment.Fate.REMOVED ? segment.events() : 0));
+            AtomicReference<Throwable> thrown = new AtomicReference<>();
+            long[] labelled = new long[1];
+            Thread labeller = new Thread(() -> {
+                for (int film = 0; film < FILMS; film++) {
+                    labelled[0] += Arrays.stream(label(sofas).segment).filter(id -> id > 0).count();
+                }
+            });
+            labeller.setUncaughtExceptionHandler((thread, e) -> thrown.set(e));
+            labeller.start();
+            Random random = new Random(5);
+            while (labeller.isAlive()) {
+                disturb(sofas, random, base);
+            }
+            assertNull(thrown.get());
+            sofas.reset();
+            // each labelled event was counted by one segment, however it ended
+            assertEquals(labelled[0], eventsOfEnded.get());
+            sofas.setParameters(base);
+            label(new Sofas(SENSOR, base)).assertSame(label(sofas));
+        }
+    }
+
+    @Test
+    public void enginesSideBySideShareNothing() throws Exception {
+        for (SofasParameters p : List.of(SofasParameters.defaults(), SofasParameters.paper())) {
+            Labels alone = label(new Sofas(SENSOR, p));
+            ExecutorService pool = Executors.newFixedThreadPool(4);
+            try {
+                List<Callable<Labels>> tasks = new ArrayList<>();
+                for (int i = 0; i < 8; i++) {
+                    tasks.add(() -> label(new Sofas(SENSOR, p)));
+                }
+                for (Future<Labels> other : pool.invokeAll(tasks)) {
+                    alone.assertSame(other.get());
+                }
+            } finally {
+                pool.shutdownNow();
+            }
+        }
+    }
+}
