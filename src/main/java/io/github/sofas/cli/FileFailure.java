@@ -11,7 +11,12 @@ final class FileFailure {
     private FileFailure() {
     }
 
-    static String text(IOException e) {
+    static String text(IOException exception) {
+        IOException e = exception;
+        // libraries wrap what the system says
+        while (e.getCause() instanceof IOException) {
+            e = (IOException) e.getCause();
+        }
         String reason = "";
         if (e instanceof NoSuchFileException) {
             reason = ": the directory is not there";

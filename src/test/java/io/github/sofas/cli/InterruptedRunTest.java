@@ -137,6 +137,16 @@ public class InterruptedRunTest {
         assertEquals(143, program.exitValue());
     }
 
+    @Test
+    public void leavesNothingUnderTheNamesOfResultsWhereItIsKilled() throws Exception {
+        needsSignals();
+        start();
+        send("KILL");
+        assertEquals(137, program.exitValue());
+        // fails where a file has another name than those of the beginning
+        assertEquals(2, startedFiles());
+    }
+
     private static boolean ignoresCtrlC(long pid) throws IOException {
         for (String line : Files.readAllLines(Path.of("/proc", Long.toString(pid), "status"))) {
             if (line.startsWith("SigIgn:")) {

@@ -80,6 +80,16 @@ public class HostileEventsTest {
     }
 
     @Test
+    public void tenThousandStructuresLeaveTheEngineSound() {
+        SensorSize sensor = new SensorSize(400, 400);
+        EventBatch stream = HostileStreams.structures(sensor, 60_000);
+        for (SofasParameters p : PRESETS) {
+            String name = p.preset() + ", 10,000 structures";
+            assertEquals(name, run(name, p, sensor, stream, 4096), run(name, p, sensor, stream, 3000));
+        }
+    }
+
+    @Test
     public void everyVelocityIsFiniteAndEveryStructureOnTheSensor() {
         for (SofasParameters p : PRESETS) {
             for (Map.Entry<String, EventBatch> stream : HostileStreams.all(SENSOR, EVENTS).entrySet()) {

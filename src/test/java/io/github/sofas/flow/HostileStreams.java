@@ -54,22 +54,30 @@ final class HostileStreams {
             (b, i, r) -> b.add(i * (10 * HOUR_US / events), r.nextInt(w), r.nextInt(h), r.nextInt(2)));
         put(all, "noise, one event a pixel and second", events,
             (b, i, r) -> b.add(i * 1_000_000L / pixels, r.nextInt(w), r.nextInt(h), r.nextInt(2)));
-        // a dot each 4 px, up, down, left or right at 100 px/s
-        put(all, "structures wherever there is room", events, (b, i, r) -> {
-            int dots = (w / 4) * (h / 4);
-            int dot = i % dots;
-            int step = i / dots;
-            int direction = dot * 7 % 4;
-            int x = dot % (w / 4) * 4 + (direction == 0 ? step : direction == 1 ? -step : 0);
-            int y = dot / (w / 4) * 4 + (direction == 2 ? step : direction == 3 ? -step : 0);
-            b.add(step * 10_000L + dot % 100, Math.floorMod(x, w), Math.floorMod(y, h), dot & 1);
-        });
+        all.put("structures wherever there is room", structures(sensor, events));
         put(all, "an edge at 50,000 px/s", events, (b, i, r) -> b.add(i, i / 20 % w, i % h, 1));
         put(all, "an edge at half a pixel a second", events,
             (b, i, r) -> b.add(i * 2_000_000L / h, i / h % w, i % h, 1));
         put(all, "an edge that turns round with each column", events,
             (b, i, r) -> b.add(i * 50L, w / 2 + i / h % 2 * 3, i % h, i / h % 2));
         return all;
+    }
+
+    /** A dot each 4 px, up, down, left or right at 100 px/s. */
+    static EventBatch structures(SensorSize sensor, int events) {
+        int w = sensor.width();
+        int h = sensor.height();
+        int dots = (w / 4) * (h / 4);
+        EventBatch batch = new EventBatch(events);
+        for (int i = 0; i < events; i++) {
+            int dot = i % dots;
+            int step = i / dots;
+            int direction = dot * 7 % 4;
+            int x = dot % (w / 4) * 4 + (direction == 0 ? step : direction == 1 ? -step : 0);
+            int y = dot / (w / 4) * 4 + (direction == 2 ? step : direction == 3 ? -step : 0);
+            batch.add(step * 10_000L + dot % 100, Math.floorMod(x, w), Math.floorMod(y, h), dot & 1);
+        }
+        return batch;
     }
 
     private static void put(Map<String, EventBatch> all, String name, int events, Maker maker) {
