@@ -196,6 +196,9 @@ final class RunCommand implements Callable<Integer> {
                 progress.say(cause.getMessage());
             } else if (cause instanceof IOException) {
                 progress.say(place + "results cannot be written: " + FileFailure.text((IOException) cause));
+            } else if (cause instanceof OutOfMemoryError) {
+                progress.say(place + "memory is used up: Java's heap has " + (Runtime.getRuntime().maxMemory() >> 20)
+                    + " MB; SOFAS_JAVA_OPTS=-Xmx4g would give it 4096");
             } else {
                 progress.clear();
                 sofas.printUnexpected(spec.commandLine().getErr(), place, cause);

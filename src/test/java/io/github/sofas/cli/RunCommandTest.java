@@ -340,6 +340,25 @@ public class RunCommandTest {
     }
 
     @Test
+    public void recordingThatNeedsMoreMemoryThanThereIsFailsByItself() throws Exception {
+        Files.createDirectory(out);
+        Path err = root.resolve("err.txt");
+        // the paper preset takes hundreds of megabytes for 1280 x 720 px, and 15 for the DVS128 of the other recording
+        Path large = Files.writeString(root.resolve("large.txt"), "0.1 7 7 1\n");
+        Process run = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:+UseSerialGC", "-Xmx64m", "-cp", System.getProperty("java.class.path"), Main.class.getName(), "run",
+            "--quiet", "--preset", "paper", "--chip", "1280x720", "--out", out.toString(), large.toString(),
+            writeEdge(root.resolve("edge.aedat")).toString()).redirectErrorStream(true).redirectOutput(err.toFile())
+            .start();
+        assertEquals(1, run.waitFor());
+        List<String> lines = Files.readAllLines(err);
+        assertTrue(lines.get(0), lines.get(0).matches("\\[large.txt\\] memory is used up: Java's heap has 6\\d MB; "
+            + "SOFAS_JAVA_OPTS=-Xmx4g would give it 4096"));
+        assertEquals("1 of 2 recordings failed: " + large, lines.get(lines.size() - 1));
+        assertEquals(results("edge"), filesIn(out));
+    }
+
+    @Test
     public void recordingWhoseNameIsNoTextIsRunByItsDirectory() throws Exception {
         if (!"UTF-8".equals(System.getProperty("sun.jnu.encoding")) || !Files.isExecutable(Path.of("/bin/sh"))) {
             throw Skipped.because("names are not UTF-8 here, or there is no /bin/sh to make another");
