@@ -5,7 +5,7 @@ package io.github.sofas.event;
  *
  * <p>Axes: x right, y down, origin top left, in pixels. Time in µs, never falling within a recording.
  * The arrays are open so that readers fill them and the engine walks them without a call per event; only the first
- * {@link #size()} entries mean anything.
+ * {@link #size()} entries mean anything. For one thread at a time.
  */
 public final class EventBatch {
     /** Time of each event in µs. */

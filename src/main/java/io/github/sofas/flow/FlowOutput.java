@@ -2,7 +2,7 @@ package io.github.sofas.flow;
 
 /**
  * Flow and segment of each event of a batch, in the caller's arrays: entry i belongs to event i of the batch that was
- * processed last. Made once and reused; every call overwrites it.
+ * processed last. Made once and reused; every call overwrites it. For one thread at a time.
  */
 public final class FlowOutput {
     /** Velocity to the right in px/s; 0 where {@link #segment} is 0. */
