@@ -62,6 +62,10 @@ public class SofasFlow extends ParameterProperties {
         if (!isPreferenceStored("displayVectorsEnabled")) {
             setDisplayVectorsEnabled(false);
         }
+        // costs jAER half as much again as the engine, and is one motion for all structures
+        if (!isPreferenceStored("displayGlobalMotion")) {
+            setDisplayGlobalMotion(false);
+        }
         // would ask for a calibration of the inertial sensor at each rewind
         if (!isPreferenceStored("measureAccuracy")) {
             putBoolean("measureAccuracy", false);

@@ -192,10 +192,13 @@ public class SofasFlowTest {
         SofasFlow filter = filter();
         assertFalse(filter.speedControlEnabled);
         assertFalse(filter.displayVectorsEnabled);
+        assertFalse(filter.displayGlobalMotion);
         assertFalse(filter.measureAccuracy);
         // and takes what was chosen
         EventFilter.PREFERENCES.put("measureAccuracy", "true");
-        assertTrue(new SofasFlow(chip).measureAccuracy);
+        EventFilter.PREFERENCES.put("displayGlobalMotion", "true");
+        assertTrue(filter().measureAccuracy);
+        assertTrue(filter().displayGlobalMotion);
     }
 
     private static Map<String, PropertyDescriptor> properties() throws IntrospectionException {

@@ -112,6 +112,10 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
         throw new UnsupportedOperationException();
     }
 
+    public void setDisplayGlobalMotion(boolean displayGlobalMotion) {
+        throw new UnsupportedOperationException();
+    }
+
     public int getSubSampleShift() {
         throw new UnsupportedOperationException();
     }

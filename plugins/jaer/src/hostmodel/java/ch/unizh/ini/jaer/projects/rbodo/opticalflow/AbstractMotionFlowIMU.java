@@ -36,6 +36,7 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public boolean displayRawInput = true;
     public boolean speedControlEnabled = true;
     public boolean displayVectorsEnabled = true;
+    public boolean displayGlobalMotion = true;
     public int resets;
     private final MotionFlowStatistics statistics = new MotionFlowStatistics();
 
@@ -64,6 +65,7 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
 
     @Override
     public void initFilter() {
+        setDisplayGlobalMotion(getBoolean("displayGlobalMotion", true));
         resetFilter();
     }
 
@@ -124,6 +126,11 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public void setDisplayVectorsEnabled(boolean displayVectorsEnabled) {
         this.displayVectorsEnabled = displayVectorsEnabled;
         putBoolean("displayVectorsEnabled", displayVectorsEnabled);
+    }
+
+    public void setDisplayGlobalMotion(boolean displayGlobalMotion) {
+        this.displayGlobalMotion = displayGlobalMotion;
+        putBoolean("displayGlobalMotion", displayGlobalMotion);
     }
 
     public int getSubSampleShift() {
