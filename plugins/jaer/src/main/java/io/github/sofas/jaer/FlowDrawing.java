@@ -11,6 +11,7 @@ import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters.Preset;
 import java.awt.Color;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -23,12 +24,22 @@ final class FlowDrawing {
     private static final float ARROW_S = 0.25f;
     /** Side of the inset as a share of the shorter side of the sensor. */
     private static final float INSET = 0.3f;
+    /** Metric an event of white in the inset, at least: so that chance stays dark. */
+    private static final float WHITE = 2;
     /** Steps of a sector's arc. */
     private static final int ARC = 4;
     private static final int FONT = GLUT.BITMAP_HELVETICA_12;
+    /** Height of a line of text in screen pixels, and how far letters reach below it. */
+    private static final float LINE = 13;
+    private static final float BELOW = 3;
     private static final float GOLDEN = 0.618034f;
 
     private final GLUT glut = new GLUT();
+    private final List<Label> labels = new ArrayList<>();
+
+    /** A line of text; left end, base line and width in chip pixels. */
+    private record Label(String text, float left, float bottom, float width) {
+    }
 
     /** What events are coloured by. */
     public enum Colouring {
@@ -59,6 +70,7 @@ final class FlowDrawing {
             SensorSize sensor = sofas.sensor();
             List<Segment> segments = sofas.segments();
             float pixel = pixelSize(gl, sensor);
+            labels.clear();
             if (shown.getEventColours() != Colouring.NONE) {
                 drawEvents(gl, packet, sensor, shown.getEventColours(), pixel);
             }
@@ -69,8 +81,9 @@ final class FlowDrawing {
                 drawMetric(gl, sofas.metricArray(), sensor);
             }
             if (shown.isLegendShown()) {
-                drawLegend(gl, packet, segments.size(), shown, sensor, pixel);
+                addLegend(packet, segments.size(), shown, sensor, pixel);
             }
+            drawLabels(gl, pixel);
         } finally {
             gl.glPopMatrix();
             gl.glPopAttrib();
@@ -89,11 +102,15 @@ final class FlowDrawing {
         FlowOutput flow = packet.output();
         gl.glPointSize(pixel);
         gl.glBegin(GL.GL_POINTS);
+        int coloured = 0;
         for (int i = 0; i < batch.size(); i++) {
             if (flow.segment[i] != 0) {
-                Color colour = colouring == Colouring.SEGMENT ? colourOf(flow.segment[i])
-                    : colourOf(flow.vxPxPerS[i], -flow.vyPxPerS[i]);
-                colour(gl, colour, 0.8f);
+                if (colouring == Colouring.FLOW) {
+                    colour(gl, colourOf(flow.vxPxPerS[i], -flow.vyPxPerS[i]), 0.8f);
+                } else if (flow.segment[i] != coloured) {
+                    coloured = flow.segment[i];
+                    colour(gl, colourOf(coloured), 0.8f);
+                }
                 gl.glVertex2f(batch.x[i] + 0.5f, sensor.height() - 1 - batch.y[i] + 0.5f);
             }
         }
@@ -122,7 +139,7 @@ final class FlowDrawing {
             String text = String.format(Locale.ROOT, "%d: (%d, %d) px/s, %.1f s", segment.id(),
                 Math.round(segment.vxPxPerS()), Math.round(-segment.vyPxPerS()),
                 (segment.lastTimeUs() - segment.firstTimeUs()) * 1e-6);
-            text(gl, sofas.sensor(), pixel, segment.minX(), height - segment.minY() + 2, text);
+            addLabel(sofas.sensor(), pixel, segment.minX(), height - segment.minY() + 2, text);
         }
     }
 
@@ -144,29 +161,43 @@ final class FlowDrawing {
         gl.glEnd();
     }
 
-    /** Text of one size whatever the window's, kept on the sensor, on a shadow. */
-    private void text(GL2 gl, SensorSize sensor, float pixel, float x, float y, String text) {
+    /** Text of one size whatever the window's, kept on the sensor. */
+    private void addLabel(SensorSize sensor, float pixel, float x, float y, String text) {
         float width = glut.glutBitmapLength(FONT, text) / pixel;
         float left = Math.max(0, Math.min(x, sensor.width() - width));
-        float bottom = Math.max(0, Math.min(y, sensor.height() - 12 / pixel));
-        gl.glColor4f(0, 0, 0, 0.8f);
-        gl.glRasterPos2f(left + 1 / pixel, Math.max(0, bottom - 1 / pixel));
-        glut.glutBitmapString(FONT, text);
+        float bottom = Math.max(BELOW / pixel, Math.min(y, sensor.height() - LINE / pixel));
+        labels.add(new Label(text, left, bottom, width));
+    }
+
+    /** All at once: letters are slow to draw, and each change of colour makes them slower. */
+    private void drawLabels(GL2 gl, float pixel) {
+        if (labels.isEmpty()) {
+            return;
+        }
+        gl.glColor4f(0, 0, 0, 0.5f);
+        gl.glBegin(GL2.GL_QUADS);
+        for (Label label : labels) {
+            quad(gl, label.left(), label.bottom() - BELOW / pixel, label.width(), LINE / pixel);
+        }
+        gl.glEnd();
         gl.glColor4f(1, 1, 1, 1);
-        gl.glRasterPos2f(left, bottom);
-        glut.glutBitmapString(FONT, text);
+        for (Label label : labels) {
+            gl.glRasterPos2f(label.left(), label.bottom());
+            glut.glutBitmapString(FONT, label.text());
+        }
     }
 
     /** The metrics, from chance (dark) to the greatest (white), in the lower right corner. */
     private static void drawMetric(GL2 gl, MetricArray metrics, SensorSize sensor) {
         int n = metrics.n();
-        float most = 1;
+        float most = 0;
         for (int i = 0; i < n * n; i++) {
             most = Math.max(most, metrics.perEvent(i / n, i % n));
         }
         if (most <= 1) {
             return;
         }
+        float white = Math.max(most, WHITE);
         float side = INSET * Math.min(sensor.width(), sensor.height());
         float left = sensor.width() - side - 2;
         float bottom = 2;
@@ -175,7 +206,7 @@ final class FlowDrawing {
         quad(gl, left - 1, bottom - 1, side + 2, side + 2);
         for (int row = 0; row < n; row++) {
             for (int column = 0; column < n; column++) {
-                float bright = Math.max(0, metrics.perEvent(row, column) - 1) / (most - 1);
+                float bright = Math.max(0, metrics.perEvent(row, column) - 1) / (white - 1);
                 gl.glColor4f(bright, bright, bright, 0.9f);
                 if (metrics.preset() == Preset.PAPER) {
                     // rows are angles along y, positive down
@@ -210,8 +241,7 @@ final class FlowDrawing {
         }
     }
 
-    private void drawLegend(GL2 gl, PacketAdapter packet, int segments, SofasFlow shown, SensorSize sensor,
-                            float pixel) {
+    private void addLegend(PacketAdapter packet, int segments, SofasFlow shown, SensorSize sensor, float pixel) {
         int events = packet.batch().size();
         int with = 0;
         for (int i = 0; i < events; i++) {
@@ -222,7 +252,7 @@ final class FlowDrawing {
             case FLOW -> "colour: direction of flow";
             case NONE -> "events not coloured";
         };
-        text(gl, sensor, pixel, 1, sensor.height() - 14 / pixel, String.format(Locale.ROOT,
+        addLabel(sensor, pixel, 1, sensor.height() - LINE / pixel, String.format(Locale.ROOT,
             "SOFAS: %d segments, %.0f %% of %,d events with flow; %s; arrows %.2f s long", segments,
             100.0 * with / Math.max(1, events), events, colours, ARROW_S));
     }

@@ -68,10 +68,10 @@ public class FlowDrawingTest {
         new FlowDrawing().draw(gl, sofas, packet, filter);
         assertBalanced();
         assertEquals(count("glBegin"), count("glEnd"));
-        // events, the inset, and contour and arrow of each segment
-        assertEquals(2 + 2 * sofas.segments().size(), count("glBegin"));
-        // legend and labels, each on its shadow
-        assertEquals(2 + 2 * sofas.segments().size(), GLUT.DRAWN.size());
+        // events, the inset, what is behind all labels, and contour and arrow of each segment
+        assertEquals(3 + 2 * sofas.segments().size(), count("glBegin"));
+        // labels and the legend
+        assertEquals(sofas.segments().size() + 1, GLUT.DRAWN.size());
         Segment segment = sofas.segments().get(0);
         // jAER's y is up
         assertTrue(GLUT.DRAWN.get(0), GLUT.DRAWN.get(0).startsWith(segment.id() + ": ("
@@ -109,6 +109,8 @@ public class FlowDrawingTest {
         filter.setEventColours(FlowDrawing.Colouring.NONE);
         filter.setContoursShown(false);
         filter.setSegmentVelocityShown(false);
+        filter.setSegmentLabelsShown(false);
+        filter.setLegendShown(false);
         Sofas paper = new Sofas(Packets.SENSOR, ParameterValues.of(Preset.PAPER));
         packet.read(Packets.of(Packets.film().get(3)), Packets.SENSOR);
         paper.process(packet.batch(), packet.output());
