@@ -16,6 +16,8 @@ public interface GL {
 
     void glEnable(int cap);
 
+    void glGetFloatv(int pname, float[] params, int offset);
+
     void glGetIntegerv(int pname, int[] params, int offset);
 
     void glLineWidth(float width);

@@ -6,6 +6,7 @@ public interface GL2 extends GL {
     int GL_POINT_BIT = 0x2;
     int GL_LINE_BIT = 0x4;
     int GL_QUADS = 0x7;
+    int GL_PROJECTION_MATRIX = 0xba7;
     int GL_ENABLE_BIT = 0x2000;
 
     void glBegin(int mode);

@@ -69,7 +69,7 @@ final class FlowDrawing {
             gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
             SensorSize sensor = sofas.sensor();
             List<Segment> segments = sofas.segments();
-            float pixel = pixelSize(gl, sensor);
+            float pixel = pixelSize(gl);
             labels.clear();
             if (shown.getEventColours() != Colouring.NONE) {
                 drawEvents(gl, packet, sensor, shown.getEventColours(), pixel);
@@ -90,11 +90,14 @@ final class FlowDrawing {
         }
     }
 
-    /** Screen pixels a chip pixel. */
-    private static float pixelSize(GL2 gl, SensorSize sensor) {
+    /** Screen pixels a chip pixel, in a picture with borders and zoom. */
+    private static float pixelSize(GL2 gl) {
         int[] viewport = new int[4];
         gl.glGetIntegerv(GL.GL_VIEWPORT, viewport, 0);
-        return Math.max(1, Math.min((float) viewport[2] / sensor.width(), (float) viewport[3] / sensor.height()));
+        float[] projection = new float[16];
+        gl.glGetFloatv(GL2.GL_PROJECTION_MATRIX, projection, 0);
+        // the view is 2 wide and 2 high; the matrix is in columns
+        return Math.max(1, Math.min(Math.abs(projection[0]) * viewport[2], Math.abs(projection[5]) * viewport[3]) / 2);
     }
 
     private static void drawEvents(GL2 gl, PacketAdapter packet, SensorSize sensor, Colouring colouring, float pixel) {

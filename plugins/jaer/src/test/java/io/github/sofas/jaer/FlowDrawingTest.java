@@ -12,8 +12,10 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.SofasParameters.Preset;
 import java.lang.reflect.Proxy;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import net.sf.jaer.chip.AEChip;
 import net.sf.jaer.eventprocessing.EventFilter;
 import org.junit.Before;
@@ -22,12 +24,22 @@ import org.junit.Test;
 /** What is drawn, as calls of GL. */
 public class FlowDrawingTest {
     private final Map<String, Integer> calls = new HashMap<>();
+    private final Set<Float> pointSizes = new HashSet<>();
     private boolean failing;
     private final GL2 gl = (GL2) Proxy.newProxyInstance(getClass().getClassLoader(), new Class<?>[] {GL2.class},
         (proxy, method, arguments) -> {
             calls.merge(method.getName(), 1, Integer::sum);
             if (failing && method.getName().equals("glVertex2f")) {
                 throw new IllegalStateException("lost context");
+            }
+            if (method.getName().equals("glGetIntegerv")) {
+                System.arraycopy(new int[] {0, 0, 700, 500}, 0, (int[]) arguments[1], 0, 4);
+            } else if (method.getName().equals("glGetFloatv")) {
+                // 200 chip pixels in 700 of the screen's, 125 in 500
+                ((float[]) arguments[1])[0] = 2f / 200;
+                ((float[]) arguments[1])[5] = -2f / 125;
+            } else if (method.getName().equals("glPointSize")) {
+                pointSizes.add((Float) arguments[0]);
             }
             return null;
         });
@@ -76,6 +88,12 @@ public class FlowDrawingTest {
         // jAER's y is up
         assertTrue(GLUT.DRAWN.get(0), GLUT.DRAWN.get(0).startsWith(segment.id() + ": ("
             + Math.round(segment.vxPxPerS()) + ", " + Math.round(-segment.vyPxPerS()) + ") px/s, "));
+    }
+
+    @Test
+    public void pointsFillAPixelOfTheChip() {
+        new FlowDrawing().draw(gl, sofas, packet, filter);
+        assertEquals(Set.of(3.5f), pointSizes);
     }
 
     @Test
