@@ -142,9 +142,13 @@ final class Aedat3Reader extends RecordingReader {
             throw malformed(eventNumber(n), offset, "malformed, a packet's number of events must not be negative "
                     + "but was " + number);
         }
-        if (bytes < POLARITY_BYTES || type == POLARITY && bytes > RecordingFile.BUFFER_BYTES) {
+        if (bytes < POLARITY_BYTES) {
             throw malformed(eventNumber(n), offset, "malformed, an event must have at least " + POLARITY_BYTES
                     + " bytes but had " + bytes);
+        }
+        if (type == POLARITY && bytes > RecordingFile.BUFFER_BYTES) {
+            throw malformed(eventNumber(n), offset, "malformed, an event must have at most "
+                    + RecordingFile.BUFFER_BYTES + " bytes but had " + bytes);
         }
         if (type == POLARITY && (place < Integer.BYTES || place > bytes - Integer.BYTES)) {
             throw malformed(eventNumber(n), offset, "malformed, an event's time must lie between byte 4 and "

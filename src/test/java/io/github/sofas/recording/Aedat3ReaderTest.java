@@ -83,6 +83,9 @@ public class Aedat3ReaderTest {
         announced = -1;
         eventBytes = 7;
         assertError("malformed, an event must have at least 8 bytes but had 7");
+        eventBytes = Integer.MAX_VALUE;
+        assertError("malformed, an event must have at most " + RecordingFile.BUFFER_BYTES
+            + " bytes but had 2147483647");
         eventBytes = 8;
         timePlace = 5;
         assertError("malformed, an event's time must lie between byte 4 and 4 of it but lay at 5");
