@@ -16,7 +16,8 @@ import java.util.regex.Pattern;
 /**
  * Files that appear together and whole, or not at all. Each is written beside its place under a hidden temporary name;
  * {@link #commit()} renames all of them. Closing without a commit deletes what was written, and so does the end of the
- * program by a signal. What a killed program left is deleted by the next that makes the same file.
+ * program by a signal. What a killed program left is deleted by the next that makes the same file, but for recordings:
+ * no one can make those of a camera again.
  *
  * <p>The file that was started last gets its name last, and one of its name goes before the first is replaced: where it
  * is there, all are, of one run, even if the program was killed in the middle of a commit.
@@ -24,6 +25,7 @@ import java.util.regex.Pattern;
 public final class ResultFiles implements AutoCloseable {
     /** How long nothing was added to what a killed program left. */
     private static final long LEFT_MS = 60_000;
+    private static final String RECORDING = ".aedat";
 
     private final Map<Path, Path> temporaryByFinal = new LinkedHashMap<>();
     private final Thread atShutdown = new Thread(this::discard, "discard unfinished results");
@@ -64,6 +66,9 @@ public final class ResultFiles implements AutoCloseable {
 
     /** Deletes what programs wrote that were killed: they run no more, here, and nothing was added for a while. */
     private static void deleteLeftovers(Path file) {
+        if (file.toString().endsWith(RECORDING)) {
+            return;
+        }
         Pattern left = Pattern.compile(Pattern.quote("." + file.getFileName() + ".") + "(\\d{1,18})\\.part");
         File[] siblings = file.toAbsolutePath().getParent().toFile().listFiles();
         for (File sibling : siblings == null ? new File[0] : siblings) {

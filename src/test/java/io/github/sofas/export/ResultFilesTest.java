@@ -124,6 +124,17 @@ public class ResultFilesTest {
     }
 
     @Test
+    public void keepsWhatAKilledProgramLeftOfARecording() throws IOException {
+        Path left = Files.writeString(folder.getRoot().toPath().resolve(".live.aedat.999999999999.part"), "half");
+        Files.setLastModifiedTime(left, FileTime.fromMillis(System.currentTimeMillis() - 120_000));
+        try (ResultFiles files = new ResultFiles()) {
+            write(files, folder.getRoot().toPath().resolve("live.aedat"), "new");
+            files.commit();
+        }
+        assertEquals(List.of(left.getFileName().toString(), "live.aedat"), filesThere());
+    }
+
+    @Test
     public void leavesNothingWhereTheDiskIsFull() throws IOException {
         Path full = Path.of("/dev/full");
         if (!Files.isWritable(full)) {
