@@ -9,7 +9,8 @@ makes on the device ends up here.
 
 CONFIG: vendor, product, release, serial; parameters {"module/number": value} that can be read; stream (file),
 repeat (how often it is sent), bytes_per_s; faults [{"transfer": n, "kind": stall|error|overflow|unplug}], n from 1 of
-those that carry data; deny (refuse to open), busy (refuse to be claimed); log (file that takes every request).
+those that carry data; deny (to be opened by others than root), busy (refuse to be claimed); log (file that takes every
+request); first (run before all other programs, for a camera does not wait for a processor; needs the right to).
 """
 import ctypes
 import errno
@@ -271,10 +272,17 @@ def die_with_parent():
     ctypes.CDLL(None).prctl(1, signal.SIGKILL)
 
 
+def be_a_program():
+    die_with_parent()
+    os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         config = json.load(file)
     die_with_parent()
+    if config.get("first"):
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))
     testbed = UMockdev.Testbed.new()
     root = testbed.get_root_dir()
     loop = GLib.MainLoop()
@@ -286,7 +294,7 @@ def main():
                 os.chmod(os.path.join(root, "dev/bus/usb/001/007"), 0)
             testbed.attach_ioctl("/dev/bus/usb/001/007", camera)
         environment = dict(os.environ, UMOCKDEV_DIR=root, LD_PRELOAD="libumockdev-preload.so.0")
-        child = subprocess.Popen(sys.argv[2:], env=environment, preexec_fn=die_with_parent)
+        child = subprocess.Popen(sys.argv[2:], env=environment, preexec_fn=be_a_program)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda which, frame: child.send_signal(which))
 
