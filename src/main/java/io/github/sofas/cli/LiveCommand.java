@@ -241,7 +241,8 @@ final class LiveCommand implements Callable<Integer> {
     private int run(LiveSource source, MethodChoice method, LiveRun.Start start)
             throws EventSourceException, IOException {
         PrintWriter err = spec.commandLine().getErr();
-        LiveStatus status = new LiveStatus(source, err);
+        LiveStatus status = new LiveStatus(source, err, RunProgress.standardErrorIsTerminal()
+            ? spec.usageMessage().width() : Integer.MAX_VALUE, System::nanoTime);
         LiveRun run = new LiveRun(source, method, out, name, record, status);
         run.warmUp();
         ScheduledExecutorService clock = Executors.newScheduledThreadPool(1);

@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.LongSupplier;
 import org.HdrHistogram.Histogram;
 
 /**
@@ -16,12 +17,16 @@ import org.HdrHistogram.Histogram;
 final class LiveStatus {
     /** Segments that fit on a line. */
     private static final int SEGMENTS_SHOWN = 4;
+    private static final int INDENT = 8;
     private static final long LONGEST_US = 60_000_000;
     private static final int DIGITS = 3;
 
     private final LiveSource source;
     private final PrintWriter err;
+    private final int columns;
+    private final LongSupplier clockNs;
     private final Histogram latencyUs = new Histogram(LONGEST_US, DIGITS);
+    private boolean started;
     private long startNs;
     private long shownNs;
     private long events;
@@ -30,14 +35,23 @@ final class LiveStatus {
     private boolean due;
     private List<Segment> segments = List.of();
 
-    LiveStatus(LiveSource source, PrintWriter err) {
+    /**
+     * Makes one.
+     *
+     * @param columns of the terminal that {@code err} is
+     * @param clockNs tells the time
+     */
+    LiveStatus(LiveSource source, PrintWriter err, int columns, LongSupplier clockNs) {
         this.source = source;
         this.err = err;
+        this.columns = columns;
+        this.clockNs = clockNs;
     }
 
     /** Notes that the source sends from now on. */
     synchronized void started() {
-        startNs = System.nanoTime();
+        started = true;
+        startNs = clockNs.getAsLong();
         shownNs = startNs;
     }
 
@@ -58,38 +72,54 @@ final class LiveStatus {
     }
 
     /** Shows what happened since the last line. */
-    synchronized void show() {
-        long now = System.nanoTime();
-        err.println(line((now - startNs) / 1e9, (now - shownNs) / 1e9));
-        err.flush();
+    void show() {
+        String line = line();
+        if (line != null) {
+            // Not with the lock held: a terminal may be stopped, and labelling goes on.
+            err.println(line);
+            err.flush();
+        }
+    }
+
+    private synchronized String line() {
+        if (!started) {
+            return null;
+        }
+        long now = clockNs.getAsLong();
+        double seconds = (now - shownNs) / 1e9;
+        StringBuilder line = new StringBuilder(String.format(Locale.ROOT,
+            "%5.0f s: %7.0f events/s, %5.1f %% flow, queue %3d/%d, %d dropped, %d %s", (now - startNs) / 1e9,
+            events / seconds, events == 0 ? 0 : 100.0 * eventsWithFlow / events, source.packetsWaiting(),
+            source.queueLimit(), source.eventsDropped(), segments.size(),
+            segments.size() == 1 ? "segment" : "segments"));
+        if (source.packetsLost() > 0) {
+            line.append(", ").append(source.packetsLost()).append(" packets lost");
+        }
+        appendSegments(line);
         shownNs = now;
         events = 0;
         eventsWithFlow = 0;
         due = true;
+        return line.toString();
     }
 
-    private String line(double sinceStartS, double sinceShownS) {
-        StringBuilder line = new StringBuilder(String.format(Locale.ROOT,
-            "%5.0f s: %.0f events/s, %.1f %% with flow, queue %d of %d, %d events dropped", sinceStartS,
-            events / sinceShownS, events == 0 ? 0 : 100.0 * eventsWithFlow / events, source.packetsWaiting(),
-            source.queueLimit(), source.eventsDropped()));
-        if (source.packetsLost() > 0) {
-            line.append(", ").append(source.packetsLost()).append(" packets lost");
-        }
-        line.append(segments.size() == 1 ? ", 1 segment" : ", " + segments.size() + " segments");
+    /** The largest, on a line of their own where they do not fit. */
+    private void appendSegments(StringBuilder line) {
+        StringBuilder velocities = new StringBuilder();
         segments.stream().sorted(Comparator.comparingLong(Segment::events).reversed()).limit(SEGMENTS_SHOWN)
-            .forEach(segment -> line.append(String.format(Locale.ROOT, "  #%d (%.0f, %.0f) px/s", segment.id(),
+            .forEach(segment -> velocities.append(String.format(Locale.ROOT, " #%d (%.0f, %.0f)", segment.id(),
                 segment.vxPxPerS(), segment.vyPxPerS())));
-        if (segments.size() > SEGMENTS_SHOWN) {
-            line.append(" ...");
+        if (velocities.length() > 0) {
+            velocities.append(segments.size() > SEGMENTS_SHOWN ? " ... px/s" : " px/s");
+            boolean fits = line.length() + 1 + velocities.length() < columns;
+            line.append(fits ? ":" : System.lineSeparator() + " ".repeat(INDENT)).append(velocities);
         }
-        return line.toString();
     }
 
     /** How long events took from their arrival to their label. */
     synchronized String latency() {
-        return String.format(Locale.ROOT, "from arrival to label: p50 %.1f ms, p99 %.1f ms, longest %.1f ms",
-            latencyUs.getValueAtPercentile(50) / 1e3, latencyUs.getValueAtPercentile(99) / 1e3,
-            latencyUs.getMaxValue() / 1e3);
+        return String.format(Locale.ROOT, "from arrival to label: p50 %.1f ms, p99 %.1f ms, p99.9 %.1f ms, "
+            + "longest %.1f ms", latencyUs.getValueAtPercentile(50) / 1e3, latencyUs.getValueAtPercentile(99) / 1e3,
+            latencyUs.getValueAtPercentile(99.9) / 1e3, latencyUs.getMaxValue() / 1e3);
     }
 }

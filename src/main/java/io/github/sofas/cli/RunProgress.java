@@ -77,7 +77,7 @@ final class RunProgress implements AutoCloseable {
     }
 
     /** Java itself tells only of standard input and output; Linux tells of standard error. */
-    private static boolean standardErrorIsTerminal() {
+    static boolean standardErrorIsTerminal() {
         Path standardError = Path.of("/proc/self/fd/2");
         try {
             String target = Files.readSymbolicLink(standardError).toString();

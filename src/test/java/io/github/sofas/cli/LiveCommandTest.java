@@ -106,7 +106,8 @@ public class LiveCommandTest {
         MethodChoice method = new MethodChoice("sofas", "default", Map.of(),
             (sensor, ended) -> new Sofas(sensor, parameters, ended));
         try (CameraSource source = new Cameras(camera).open(null)) {
-            LiveStatus status = new LiveStatus(source, new PrintWriter(new StringWriter()));
+            LiveStatus status = new LiveStatus(source, new PrintWriter(new StringWriter()), 80,
+                System::nanoTime);
             return new LiveRun(source, method, out, "live", recording, status).run(() -> {
                 source.start(Biases.defaults(source.model()));
                 // The camera sends while the run labels, never more than the queue holds.
