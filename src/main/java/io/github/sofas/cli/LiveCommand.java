@@ -171,7 +171,9 @@ final class LiveCommand implements Callable<Integer> {
         }
         Chip sender = Chip.named(chip).orElseThrow(() ->
             usage("--chip must be one of " + Chip.knownNames() + " but was \"" + chip + "\""));
-        try (LiveSource source = new JaerUdpSource(address(), sender)) {
+        InetSocketAddress address = address();
+        LiveRun.warmUp(sender.sensor(), method);
+        try (LiveSource source = new JaerUdpSource(address, sender)) {
             return run(source, method, () -> { });
         }
     }
@@ -200,6 +202,7 @@ final class LiveCommand implements Callable<Integer> {
         ConfigFile changes = biases == null ? null : readBiases();
         try (UsbTransport usb = new Usb4JavaTransport(); CameraSource source = new Cameras(usb).open(serial)) {
             Biases chosen = biases(source, changes);
+            LiveRun.warmUp(source.sensor(), method);
             return run(source, method, () -> source.start(chosen));
         }
     }
@@ -244,19 +247,18 @@ final class LiveCommand implements Callable<Integer> {
         LiveStatus status = new LiveStatus(source, err, RunProgress.standardErrorIsTerminal()
             ? spec.usageMessage().width() : Integer.MAX_VALUE, System::nanoTime);
         LiveRun run = new LiveRun(source, method, out, name, record, status);
-        run.warmUp();
         ScheduledExecutorService clock = Executors.newScheduledThreadPool(1);
         RecordingRun.Outcome outcome;
         StopSignals signals = StopSignals.handle(source::stop);
         try {
+            if (!quiet) {
+                err.println("[" + source.name() + "] " + source.formatName() + ", " + source.sensor()
+                    + " px, labelling" + (durationS == null ? " until Ctrl-C" : ""));
+                clock.scheduleAtFixedRate(status::show, 1, 1, TimeUnit.SECONDS);
+            }
             outcome = run.run(() -> {
                 start.start();
                 status.started();
-                if (!quiet) {
-                    err.println("[" + source.name() + "] " + source.formatName() + ", " + source.sensor()
-                        + " px, labelling" + (durationS == null ? " until Ctrl-C" : ""));
-                    clock.scheduleAtFixedRate(status::show, 1, 1, TimeUnit.SECONDS);
-                }
                 if (durationS != null) {
                     clock.schedule(source::stop, Math.round(durationS * 1e9), TimeUnit.NANOSECONDS);
                 }

@@ -2,6 +2,7 @@ package io.github.sofas.cli;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
 import io.github.sofas.export.FlowCsvWriter;
 import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.export.ResultFiles;
@@ -11,6 +12,7 @@ import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.live.LiveSource;
 import io.github.sofas.recording.Aedat2Writer;
+import io.github.sofas.simulate.DvsModel;
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulatedSource;
 import io.github.sofas.simulate.SimulationOptions;
@@ -29,7 +31,11 @@ import java.util.Map;
 final class LiveRun {
     /** As many events as a transfer or datagram can hold. */
     private static final int BATCH = 8192;
-    private static final long WARM_UP_US = 1_000_000;
+    /** After fewer, some of the engine is not compiled yet, and a first structure takes four times as long to find. */
+    private static final long WARM_UP_EVENTS = 1_000_000;
+    /** For methods that need far longer for so many. */
+    private static final long WARM_UP_MOST_NS = 2_500_000_000L;
+    private static final int WARM_UP_BATCH = 2048;
 
     private final LiveSource source;
     private final MethodChoice method;
@@ -73,24 +79,29 @@ final class LiveRun {
     }
 
     /**
-     * Labels a second of a simulated scene and forgets it. A Java that has just started is ten times slower, and a
-     * camera does not wait until it has compiled what it runs.
+     * Labels a simulated scene with as many events as a camera has at its busiest, and forgets it. A Java that has just
+     * started is ten times slower, and a camera does not wait until it has compiled what it runs.
      *
      * @throws IOException never: nothing is written
      */
-    void warmUp() throws IOException {
-        SimulationOptions options = SimulationOptions.defaults().withSensor(source.sensor())
-            .withDurationUs(WARM_UP_US);
-        EventBatch batch = new EventBatch(BATCH);
-        FlowOutput flow = new FlowOutput(BATCH);
-        EventLabeller other = method.make(source.sensor(), ended -> { });
+    static void warmUp(SensorSize sensor, MethodChoice method) throws IOException {
+        long startNs = System.nanoTime();
+        SimulationOptions options = SimulationOptions.defaults().withSensor(sensor).withSpeedPxPerS(300)
+            .withDvs(DvsModel.davis().withThresholds(0.05, 0.05));
+        EventBatch batch = new EventBatch(WARM_UP_BATCH);
+        FlowOutput flow = new FlowOutput(WARM_UP_BATCH);
+        EventLabeller other = method.make(sensor, ended -> { });
+        long labelled = 0;
         try (SimulatedSource scene = new SimulatedSource(Scene.FOUR_BARS, options);
                 FlowCsvWriter nowhere = new FlowCsvWriter(OutputStream.nullOutputStream())) {
-            while (scene.next(batch)) {
+            while (labelled < WARM_UP_EVENTS && System.nanoTime() - startNs < WARM_UP_MOST_NS && scene.next(batch)) {
                 other.process(batch, flow);
                 nowhere.write(batch, flow);
+                labelled += batch.size();
             }
         }
+        // Now, not under the first events; from here on next to nothing is allocated.
+        System.gc();
     }
 
     /**
