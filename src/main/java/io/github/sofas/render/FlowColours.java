@@ -14,6 +14,14 @@ public final class FlowColours {
     private static final int[] SAFE_LIGHT = {0xC84B00, 0x7B2AA8, 0x1474E8, 0xB5C400};
     private static final int DIRECTIONS = 256;
     private static final int SPEEDS = 16;
+    /** Direction, in steps, whose tangent is i / 1024: the first eighth of the turn. */
+    private static final double[] EIGHTH = new double[1025];
+
+    static {
+        for (int i = 0; i < EIGHTH.length; i++) {
+            EIGHTH[i] = Math.atan(i / 1024.0) / (2 * Math.PI) * DIRECTIONS;
+        }
+    }
 
     /** Colour of each direction, from right to down, at each speed. */
     private final int[] table = new int[DIRECTIONS * (SPEEDS + 1)];
@@ -58,11 +66,22 @@ public final class FlowColours {
      * @param fullPxPerS speed of the full colour
      */
     public int rgb(double vxPxPerS, double vyPxPerS, double fullPxPerS) {
-        double turn = Math.atan2(vyPxPerS, vxPxPerS) / (2 * Math.PI);
-        int d = (int) Math.round(turn * DIRECTIONS) & DIRECTIONS - 1;
+        int d = direction(vxPxPerS, vyPxPerS);
         double speed = Math.sqrt(vxPxPerS * vxPxPerS + vyPxPerS * vyPxPerS);
         int s = (int) Math.min(SPEEDS, Math.round(speed / fullPxPerS * SPEEDS));
         return table[d * (SPEEDS + 1) + s];
+    }
+
+    /** The nearest direction; by a table, as every pixel of every picture asks. */
+    private static int direction(double vx, double vy) {
+        double x = Math.abs(vx);
+        double y = Math.abs(vy);
+        double most = Math.max(x, y);
+        double d = most == 0 ? 0 : EIGHTH[(int) (Math.min(x, y) / most * (EIGHTH.length - 1) + 0.5)];
+        d = y > x ? DIRECTIONS / 4 - d : d;
+        d = vx < 0 ? DIRECTIONS / 2 - d : d;
+        d = vy < 0 ? DIRECTIONS - d : d;
+        return (int) (d + 0.5) & DIRECTIONS - 1;
     }
 
     /** Mixes in light as screens emit it, so that halfway is not darker than both ends. */

@@ -113,18 +113,16 @@ final class SegmentArrow {
 
     /** An arrow from the line's first to its second point; short ones are only a line. */
     static void draw(Graphics2D g, Line2D.Double line) {
-        g.draw(line);
+        Path2D path = new Path2D.Double(line);
         double length = Math.hypot(line.x2 - line.x1, line.y2 - line.y1);
-        if (length < 3) {
-            return;
+        if (length >= 3) {
+            double ux = (line.x2 - line.x1) / length;
+            double uy = (line.y2 - line.y1) / length;
+            double head = Math.min(HEAD, length);
+            path.moveTo(line.x2 - head * ux - head * 0.55 * uy, line.y2 - head * uy + head * 0.55 * ux);
+            path.lineTo(line.x2, line.y2);
+            path.lineTo(line.x2 - head * ux + head * 0.55 * uy, line.y2 - head * uy - head * 0.55 * ux);
         }
-        double ux = (line.x2 - line.x1) / length;
-        double uy = (line.y2 - line.y1) / length;
-        double head = Math.min(HEAD, length);
-        Path2D path = new Path2D.Double();
-        path.moveTo(line.x2 - head * ux - head * 0.55 * uy, line.y2 - head * uy + head * 0.55 * ux);
-        path.lineTo(line.x2, line.y2);
-        path.lineTo(line.x2 - head * ux + head * 0.55 * uy, line.y2 - head * uy - head * 0.55 * ux);
         g.draw(path);
     }
 }

@@ -17,6 +17,18 @@ public class FlowColoursTest {
         assertEquals("up", 0xD2E600, DARK.rgb(0, -100, 100));
     }
 
+    /** The plain way: the nearest of 256 directions, by the arc tangent. */
+    @Test
+    public void everyDirectionHasTheColourOfTheNearestOfTheWheel() {
+        for (int i = 0; i < 4096; i++) {
+            double turn = (i + 0.5) / 4096;
+            double nearest = Math.rint(turn * 256) / 256;
+            assertEquals("turn " + turn, DARK.rgb(Math.cos(2 * Math.PI * nearest), Math.sin(2 * Math.PI * nearest), 1),
+                DARK.rgb(3 * Math.cos(2 * Math.PI * turn), 3 * Math.sin(2 * Math.PI * turn), 3));
+        }
+        assertEquals("at rest", DARK.rgb(1e-9, 0, 100), DARK.rgb(0, 0, 100));
+    }
+
     @Test
     public void fasterThanTheFullSpeedIsNoBrighter() {
         assertEquals(DARK.rgb(100, 0, 100), DARK.rgb(10_000, 0, 100));
