@@ -97,9 +97,10 @@ final class FilmEncoder {
     /**
      * Appends a picture to the buffer.
      *
+     * @param changed of each block, row by row, whether it may differ from the picture before
      * @return whether it is a whole one
      */
-    boolean encode(Picture picture, ByteBuffer out) {
+    boolean encode(Picture picture, boolean[] changed, ByteBuffer out) {
         boolean isKey = number % KEY_INTERVAL == 0;
         if (isKey) {
             number = 0;
@@ -112,7 +113,7 @@ final class FilmEncoder {
         if (isKey) {
             encodeWhole(picture, bits);
         } else {
-            encodeDifferences(picture, bits);
+            encodeDifferences(picture, changed, bits);
         }
         bits.write1Bit(1);
         bits.flush();
@@ -181,11 +182,11 @@ final class FilmEncoder {
         }
     }
 
-    private void encodeDifferences(Picture picture, BitWriter bits) {
+    private void encodeDifferences(Picture picture, boolean[] changed, BitWriter bits) {
         int skipped = 0;
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                int pattern = isAsBefore(picture, column, row) ? 0 : transform(picture, column, row);
+                int pattern = changed[row * columns + column] ? transform(picture, column, row) : 0;
                 if (pattern == 0) {
                     skipped++;
                     setZero(0, column, row, 4);
@@ -209,21 +210,6 @@ final class FilmEncoder {
         if (skipped > 0) {
             CAVLCWriter.writeUE(bits, skipped);
         }
-    }
-
-    private boolean isAsBefore(Picture picture, int column, int row) {
-        for (int plane = 0; plane < 3; plane++) {
-            int side = plane == 0 ? 16 : 8;
-            int stride = columns * side;
-            byte[] now = picture.getPlaneData(plane);
-            byte[] then = before.getPlaneData(plane);
-            for (int i = 0, at = row * side * stride + column * side; i < side; i++, at += stride) {
-                if (!Arrays.equals(now, at, at + side, then, at, at + side)) {
-                    return false;
-                }
-            }
-        }
-        return true;
     }
 
     /** Takes the differences to what is seen, brightness already transformed; the coded block pattern. */
@@ -255,11 +241,16 @@ final class FilmEncoder {
 
     /** The greatest difference in 4 x 4 values of colour; none where they are as they were. */
     private int subtractColour(Picture picture, int plane, int at, int stride, int[] block) {
-        if (hasChanged(picture, plane, at, stride)) {
-            return subtract(picture, plane, at, stride, block);
+        if (!hasChanged(picture, plane, at, stride)) {
+            Arrays.fill(block, 0);
+            return 0;
         }
-        Arrays.fill(block, 0);
-        return 0;
+        subtract(picture, plane, at, stride, block);
+        int greatest = 0;
+        for (int difference : block) {
+            greatest = Math.max(greatest, Math.abs(difference));
+        }
+        return greatest;
     }
 
     /** Whether 4 x 4 values have. */
@@ -273,19 +264,15 @@ final class FilmEncoder {
         return difference != 0;
     }
 
-    /** Of 4 x 4 pixels; the greatest difference. */
-    private int subtract(Picture picture, int plane, int at, int stride, int[] block) {
+    /** Of 4 x 4 values. */
+    private void subtract(Picture picture, int plane, int at, int stride, int[] block) {
         byte[] now = picture.getPlaneData(plane);
         byte[] then = seen.getPlaneData(plane);
-        int greatest = 0;
         for (int y = 0, i = 0; y < 4; y++, at += stride) {
             for (int x = 0; x < 4; x++, i++) {
-                int difference = now[at + x] - then[at + x];
-                block[i] = difference;
-                greatest = Math.max(greatest, Math.abs(difference));
+                block[i] = now[at + x] - then[at + x];
             }
         }
-        return greatest;
     }
 
     private void writeLuma(int column, int row, BitWriter bits, int pattern) {

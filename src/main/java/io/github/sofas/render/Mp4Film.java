@@ -25,7 +25,7 @@ public final class Mp4Film implements Film {
     private static final int TIMESCALE = 90_000;
     /** Brightness and colour as jcodec holds them: less by 128. */
     private static final int BIAS = 128;
-    /** Pixels in a row that are looked at together. */
+    /** Pixels in a row that are converted together; as many as a block of the video is wide. */
     private static final int STRIP = 16;
 
     private final SeekableByteChannel channel;
@@ -35,7 +35,7 @@ public final class Mp4Film implements Film {
     private MuxerTrack track;
     private Picture converted;
     private int[] before;
-    private boolean isConverted;
+    private boolean[] changed;
     private ByteBuffer buffer;
     private int pictures;
     private boolean closed;
@@ -55,40 +55,51 @@ public final class Mp4Film implements Film {
 
     @Override
     public void add(BufferedImage picture) throws IOException {
+        int[] rgb = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();
         if (track == null) {
             converted = Picture.create(picture.getWidth(), picture.getHeight(), ColorSpace.YUV420J);
             before = new int[picture.getWidth() * picture.getHeight()];
+            // other than the first picture everywhere
+            Arrays.setAll(before, i -> ~rgb[i]);
+            changed = new boolean[before.length / (STRIP * STRIP)];
             encoder = new FilmEncoder(picture.getWidth(), picture.getHeight());
             buffer = ByteBuffer.allocate(encoder.maxBytes());
             track = muxer.addVideoTrack(Codec.H264, VideoCodecMeta.createSimpleVideoCodecMeta(
                 new Size(picture.getWidth(), picture.getHeight()), ColorSpace.YUV420));
         }
-        convert(((DataBufferInt) picture.getRaster().getDataBuffer()).getData(), picture.getWidth(),
-            picture.getHeight());
+        convert(rgb, picture.getWidth(), picture.getHeight());
         buffer.clear();
-        boolean isKey = encoder.encode(converted, buffer);
+        boolean isKey = encoder.encode(converted, changed, buffer);
         buffer.flip();
         track.addFrame(Packet.createPacket(buffer, (long) pictures * ticks, TIMESCALE, ticks, pictures,
             isKey ? FrameType.KEY : FrameType.INTER, null));
         pictures++;
     }
 
-    /** Converts what is not as in the picture before. */
+    /** Converts what is not as in the picture before, and notes which blocks that is in. */
     private void convert(int[] rgb, int width, int height) {
+        Arrays.fill(changed, false);
         for (int y = 0; y < height; y += 2) {
-            for (int x = 0; x < width; x += STRIP) {
-                int at = y * width + x;
-                if (!isConverted || hasChanged(rgb, at) || hasChanged(rgb, at + width)) {
-                    convertStrip(rgb, at, width, (y >> 1) * (width >> 1) + (x >> 1));
-                }
+            int at = y * width;
+            int upper = next(rgb, at, at + width);
+            int lower = next(rgb, at + width, at + 2 * width) - width;
+            while (Math.min(upper, lower) < at + width) {
+                int from = at + (Math.min(upper, lower) - at) / STRIP * STRIP;
+                convertStrip(rgb, from, width, (y >> 1) * (width >> 1) + (from - at >> 1));
+                System.arraycopy(rgb, from, before, from, STRIP);
+                System.arraycopy(rgb, from + width, before, from + width, STRIP);
+                changed[(y / STRIP) * (width / STRIP) + (from - at) / STRIP] = true;
+                int rest = from + STRIP;
+                upper = upper >= rest ? upper : next(rgb, rest, at + width);
+                lower = lower >= rest ? lower : next(rgb, rest + width, at + 2 * width) - width;
             }
         }
-        System.arraycopy(rgb, 0, before, 0, before.length);
-        isConverted = true;
     }
 
-    private boolean hasChanged(int[] rgb, int at) {
-        return !Arrays.equals(rgb, at, at + STRIP, before, at, at + STRIP);
+    /** The first pixel that is not as before; the end where there is none. */
+    private int next(int[] rgb, int from, int end) {
+        int first = Arrays.mismatch(rgb, from, end, before, from, end);
+        return first < 0 ? end : from + first;
     }
 
     /** To brightness and, for each 2 x 2 pixels, colour, as ITU-R BT.601 has them for video. */

@@ -302,8 +302,11 @@ public final class PictureSheet {
     }
 
     private void fill(int to, int rgb) {
-        for (int r = 0; r < scale; r++) {
-            Arrays.fill(pixels, to + r * width, to + r * width + scale, rgb);
+        // a few pixels: calls to fill an array would take longer
+        for (int r = 0, from = to; r < scale; r++, from += width) {
+            for (int i = from; i < from + scale; i++) {
+                pixels[i] = rgb;
+            }
         }
     }
 

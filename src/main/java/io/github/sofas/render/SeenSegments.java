@@ -8,15 +8,15 @@ final class SeenSegments {
     private int[] ids = new int[16];
     private int[] pixels = new int[16];
     private double[] sums = new double[16 * 4];
-    private int last;
+    /** Where ids were found last, by their low bits. */
+    private final int[] places = new int[256];
 
     void clear() {
         size = 0;
-        last = 0;
     }
 
     void add(int id, int x, int y, double vx, double vy) {
-        // neighbours mostly belong together
+        int last = places[id & places.length - 1];
         if (last >= size || ids[last] != id) {
             last = 0;
             while (last < size && ids[last] != id) {
@@ -25,6 +25,7 @@ final class SeenSegments {
             if (last == size) {
                 append(id);
             }
+            places[id & places.length - 1] = last;
         }
         pixels[last]++;
         sums[4 * last] += x;
