@@ -189,6 +189,10 @@ public final class PictureSheet {
             if (panel == Panel.CONTOURS && engine != null) {
                 paintContours(k, engine);
             }
+            if (panel == Panel.GREY && frame == null) {
+                g.setColor(new Color(theme.text));
+                g.drawString("no frame so far", left(k) + MARGIN, top(k) + 2 * MARGIN);
+            }
             if (panel == Panel.SEGMENTS || panel == Panel.CONTOURS) {
                 paintArrows(g, k);
             }

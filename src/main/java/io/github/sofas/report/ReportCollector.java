@@ -90,6 +90,14 @@ public final class ReportCollector {
         }
     }
 
+    /** Of the segments, those with the most events first. */
+    List<SegmentCurve> curves() {
+        List<SegmentCurve> sorted = new ArrayList<>(curves.values());
+        sorted.forEach(curve -> curve.widenTo(bins.widthUs()));
+        sorted.sort(Comparator.comparingLong(SegmentCurve::events).reversed());
+        return sorted;
+    }
+
     /**
      * Writes the page; nothing can be added then.
      *
@@ -101,9 +109,7 @@ public final class ReportCollector {
      */
     public void write(OutputStream out, RunSummary summary, String command, Path flow) throws IOException {
         highlights.finish();
-        List<SegmentCurve> longest = new ArrayList<>(curves.values());
-        longest.forEach(curve -> curve.widenTo(bins.widthUs()));
-        longest.sort(Comparator.comparingLong(SegmentCurve::events).reversed());
+        List<SegmentCurve> longest = curves();
         PictureSheet sheet = new PictureSheet(sensor,
             PictureOptions.defaults().withPanels(List.of(Panel.FLOW, Panel.SEGMENTS)));
         for (int k = 0; k < Math.min(ReportPage.CURVES, longest.size()); k++) {

@@ -2,7 +2,8 @@
  * One page about one run: HTML that needs no other file, no network and no script. Open
  * {@link io.github.sofas.report.ReportCollector} first: it sees the labelled events and writes the page at the end.
  *
- * <p>Memory: time is cut into at most 512 bins, which double when they do not suffice; each segment keeps the bins in
- * which it lived.
+ * <p>Memory does not grow with the recording: time is cut into at most 512 bins, which double when they do not suffice;
+ * each segment keeps the bins in which it lived, at most 10 KB, and of those that ended the 256 with the most events
+ * are kept. The pictures' events are read again at the end, and the clip goes through a temporary file.
  */
 package io.github.sofas.report;
