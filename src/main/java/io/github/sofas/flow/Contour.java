@@ -33,6 +33,7 @@ final class Contour {
     private double centreX;
     private double centreY;
     private double radius;
+    private double polarity;
 
     Contour(int sensorWidth, int sensorHeight, double contourShare) {
         share = contourShare;
@@ -68,6 +69,11 @@ final class Contour {
     /** Distance of the contour from its centre, root of the mean square, in px. */
     double radius() {
         return radius;
+    }
+
+    /** Mean polarity of the live events: 1 or -1 where all are ON or OFF, about 0 for a whole object. */
+    double polarity() {
+        return polarity;
     }
 
     /** Support of an event: twice the live events around its cell of its own polarity, less those of the other. */
@@ -150,6 +156,10 @@ final class Contour {
 
     /** Projects all live events anew, along another motion. */
     void project(LiveEvents live, Motion along) {
+        int lastMinX = minX;
+        int lastMinY = minY;
+        int lastMaxX = maxX;
+        int lastMaxY = maxY;
         clear(live);
         motion.copyFrom(along);
         fixedVx = Projection.fixed(motion.vx);
@@ -157,12 +167,20 @@ final class Contour {
         for (int k = 0; k < live.size(); k++) {
             add(live, live.index(k));
         }
+        if (minX > maxX && live.size() > 0) {
+            // all have left the grid: the structure was seen last where it was
+            minX = lastMinX;
+            minY = lastMinY;
+            maxX = lastMaxX;
+            maxY = lastMaxY;
+        }
         measure(live);
     }
 
     /** Measures threshold, centre and radius from some 256 of the live events. */
     private void measure(LiveEvents live) {
         long support = 0;
+        int signs = 0;
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
@@ -175,6 +193,7 @@ final class Contour {
                 continue;
             }
             support += supportAt(c, live.sign[i]);
+            signs += live.sign[i];
             int x = c % width - MARGIN;
             int y = c / width - MARGIN;
             sumX += x;
@@ -184,9 +203,11 @@ final class Contour {
         }
         if (n == 0) {
             radius = 0;
+            polarity = 0;
             return;
         }
         threshold = Math.max(LEAST_SUPPORT, (int) (share * support / n));
+        polarity = (double) signs / n;
         centreX = sumX / n;
         centreY = sumY / n;
         radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));
@@ -210,6 +231,16 @@ final class Contour {
                 }
             }
         }
+    }
+
+    /** Where a cell lies at the reference time: a column of the sensor, which it may leave by the margin. */
+    int column(int cell) {
+        return cell % width - MARGIN;
+    }
+
+    /** The same, a row. */
+    int row(int cell) {
+        return cell / width - MARGIN;
     }
 
     /** Side of the box at the reference time, in px; a column of the sensor, which it may leave by the margin. */

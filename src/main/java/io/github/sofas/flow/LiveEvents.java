@@ -15,6 +15,8 @@ final class LiveEvents {
     final byte[] sign = new byte[CAPACITY];
     /** Whether two planes claimed the event: it shows nothing of the motion of either. */
     final boolean[] shared = new boolean[CAPACITY];
+    /** Whether no live event was near, only the memory of some: it may be noise, and shows nothing of the motion. */
+    final boolean[] remembered = new boolean[CAPACITY];
     /** Cell of the contour that the event is counted on, or -1. */
     final int[] cell = new int[CAPACITY];
 
@@ -39,13 +41,14 @@ final class LiveEvents {
     }
 
     /** Appends an event, not on a contour yet, and returns its index. */
-    int add(int eventX, int eventY, long eventUs, int polarity, boolean isShared) {
+    int add(int eventX, int eventY, long eventUs, int polarity, boolean isShared, boolean isRemembered) {
         int i = head & MASK;
         timeUs[i] = eventUs;
         x[i] = (short) eventX;
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
         shared[i] = isShared;
+        remembered[i] = isRemembered;
         cell[i] = -1;
         head = head + 1 & MASK;
         size++;
@@ -73,7 +76,7 @@ final class LiveEvents {
             if (isFull()) {
                 removeOldest();
             }
-            add(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.shared[i]);
+            add(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.shared[i], from.remembered[i]);
         }
     }
 }

@@ -14,7 +14,7 @@ final class MemoryBound {
     private static final int RING_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + Integer.BYTES;
     /** Two arrays of numbers, as long as they may have grown. */
     private static final int SORTING_BYTES = 2 * 2 * Integer.BYTES;
-    private static final int LIVE_EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES;
+    private static final int LIVE_EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + 3 * Byte.BYTES + Integer.BYTES;
     private static final int FITTED_EVENT_BYTES = 7 * Integer.BYTES + Byte.BYTES;
     /** Of the paper preset's arrays of events; a doubling beyond what fills half of them. */
     private static final long PAPER_EVENTS = 2 * (PaperFlowPlane.MOST_EVENTS + 1);
@@ -37,6 +37,7 @@ final class MemoryBound {
         long fit = Integer.BYTES * MetricFit.cells(sensor.width(), sensor.height(), p.voteCellPx())
             + LiveEvents.CAPACITY * FITTED_EVENT_BYTES;
         long plane = Integer.BYTES * (sensor.width() + 2L * Contour.MARGIN) * (sensor.height() + 2L * Contour.MARGIN)
+            + ((long) Integer.BYTES << Shape.bits(sensor.width()) + Shape.bits(sensor.height()))
             + LiveEvents.CAPACITY * LIVE_EVENT_BYTES;
         // one more ring, for merging
         return search + company + fit + p.maxTrackPlanes() * plane + LiveEvents.CAPACITY * LIVE_EVENT_BYTES;

@@ -68,7 +68,7 @@ public final class Sofas implements EventLabeller {
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
      * of two; 33 bytes for each of the 2^20 events that the flow plane holds at most; 8 bytes a pixel; 4 bytes for each
      * cell of the grid that motion is measured on; and for each track plane 4 bytes for each of (w + 48) (h + 48)
-     * cells, and 18 for each of its 16,384 live events at most.
+     * cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, and 19 for each of its 16,384 live events at most.
      *
      * <p>{@code paper}: 2 bytes for each cell of the n² accumulators, whose sides are those of the sensor and the
      * travel during the lifespan, rounded up to powers of two, at most 4,096; 9 for each cell of the plane that a

@@ -55,6 +55,11 @@ import java.lang.reflect.RecordComponent;
  *     {@code paper} only)
  * @param contourShare share of the mean support that puts an event on the contour, 0 to 1 (ours, because a contour a
  *     pixel wide loses events to noise in time; {@code default} only)
+ * @param memoryPx travel for which a track plane remembers where its contour was in px, 0 to 1000 (ours, because an
+ *     edge that was hidden, or that moved along itself, would come back as a structure of its own; {@code default}
+ *     only)
+ * @param maxMemoryUs longest time for which it does in us, 0 to 60,000,000 (ours, because a structure that stands
+ *     still would haunt its place; {@code default} only)
  * @param voteCellPx side of the cells that velocities are measured with in px, 0.5 to 8 (ours, because cells as large
  *     as pixels favour whole pixels of travel; {@code default} only)
  * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 16,384 (ours, because the
@@ -101,6 +106,9 @@ import java.lang.reflect.RecordComponent;
  *     straight edge knows only a part of its velocity; {@code default} only)
  * @param mergeGapShare gap between boxes that may merge, as a share of the shorter of their longer sides, 0 to 4
  *     (ours, because the front and the back of an object are one segment; {@code default} only)
+ * @param pairGapShare gap between a dark and a bright edge that may merge, as a share of the longer one, 0 to 16
+ *     (ours, because the front and the back of a small object are farther apart than they are long; {@code default}
+ *     only)
  */
 public record SofasParameters(
     Preset preset,
@@ -154,6 +162,11 @@ public record SofasParameters(
     int contourThreshold,
     @Parameter(value = "share of the mean support that puts an event on the contour", min = 0, max = 1)
     double contourShare,
+    @Parameter(value = "travel for which a track plane remembers where its contour was",
+        unit = "px", min = 0, max = 1000)
+    double memoryPx,
+    @Parameter(value = "longest time for which it does", unit = "us", min = 0, max = 60_000_000)
+    long maxMemoryUs,
     @Parameter(value = "side of the cells that velocities are measured with", unit = "px", min = 0.5, max = 8)
     double voteCellPx,
     @Parameter(value = "events that a velocity is measured from, where they meet often", min = 32, max = 16_384)
@@ -213,7 +226,10 @@ public record SofasParameters(
     double mergeLoss,
     @Parameter(value = "gap between boxes that may merge, as a share of the shorter of their longer sides",
         min = 0, max = 4)
-    double mergeGapShare) {
+    double mergeGapShare,
+    @Parameter(value = "gap between a dark and a bright edge that may merge, as a share of the longer one",
+        min = 0, max = 16)
+    double pairGapShare) {
 
     /** Which method. */
     public enum Preset {
@@ -235,10 +251,10 @@ public record SofasParameters(
             flowProjections, velocityScalePxPerS, rangeDeg, refinement, cycles, constantEvents, slowestPxPerS,
             fastestPxPerS, flowTravelPx, lifespanUs, thresholdSd, minEvents, evidence, slowestWithin,
             lifetimePx, maxLifetimePx, maxLifetimeUs, steadyPx, hitShare, minPerturbationDeg,
-            maxPerturbationDeg, contourThreshold, contourShare, voteCellPx, sampleEvents, sampleDensity,
-            neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight, maxBendPx,
-            flatChange, changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare,
-            mergeVelocity, mergeLoss, mergeGapShare);
+            maxPerturbationDeg, contourThreshold, contourShare, memoryPx, maxMemoryUs, voteCellPx, sampleEvents,
+            sampleDensity, neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight,
+            maxBendPx, flatChange, changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare,
+            mergeVelocity, mergeLoss, mergeGapShare, pairGapShare);
         if (preset == Preset.DEFAULT) {
             requireInOrder("maxLifetimePx", maxLifetimePx, "lifetimePx", lifetimePx);
         }
@@ -284,16 +300,16 @@ public record SofasParameters(
     public static SofasParameters paper() {
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
-            0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.95, 0.25, 0.1, false, 1.5, 0.5, 0.1, 0.05,
-            0.15, 64, 0.2, 0.15, 0.01, 0.8);
+            0.15, 0, 0, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.95, 0.25, 0.1, false, 1.5, 0.5, 0.1,
+            0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.8, 0);
     }
 
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
             12, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
-            0.05, 4, 3, 0.15, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.95, 0.25, 0.1, true, 1.5, 0.5, 0.1,
-            0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.8);
+            0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 0.95, 0.25, 0.1, true,
+            1.5, 0.5, 0.1, 0.05, 0.15, 64, 0.2, 0.15, 0.01, 0.8, 2);
     }
 
     /** Velocity of a projection at an angle, in px/s. */
@@ -421,6 +437,16 @@ public record SofasParameters(
         return with("contourShare", value);
     }
 
+    /** The same with another {@link #memoryPx}. */
+    public SofasParameters withMemoryPx(double value) {
+        return with("memoryPx", value);
+    }
+
+    /** The same with another {@link #maxMemoryUs}. */
+    public SofasParameters withMaxMemoryUs(long value) {
+        return with("maxMemoryUs", value);
+    }
+
     /** The same with another {@link #voteCellPx}. */
     public SofasParameters withVoteCellPx(double value) {
         return with("voteCellPx", value);
@@ -534,6 +560,11 @@ public record SofasParameters(
     /** The same with another {@link #mergeGapShare}. */
     public SofasParameters withMergeGapShare(double value) {
         return with("mergeGapShare", value);
+    }
+
+    /** The same with another {@link #pairGapShare}. */
+    public SofasParameters withPairGapShare(double value) {
+        return with("pairGapShare", value);
     }
 
     private SofasParameters with(String name, Object value) {

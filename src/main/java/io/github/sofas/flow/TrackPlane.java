@@ -1,5 +1,7 @@
 package io.github.sofas.flow;
 
+import io.github.sofas.event.SensorSize;
+
 /**
  * A structure that is tracked (paper, section Track Plane): its live events, the contour that they draw, and its
  * motion, which is measured again and again as the top of the metric of 3 x 3 projections.
@@ -14,11 +16,23 @@ final class TrackPlane {
     /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
     private static final int LEAST_FULL = 3;
     private static final int FULL_EVERY = 4;
+    /**
+     * A sample has at least this part of the live events: measurements are the rarer the more there are, so that it
+     * costs no more an event, and what is weakly known, the velocity along edges, needs many.
+     */
+    private static final int SAMPLE_PART = 4;
+    /** Events that a structure must have had to be waited for while it is hidden. */
+    private static final int LEAST_HIDDEN = 200;
+    /** Mean polarity beyond which a structure is an edge that is dark or bright. */
+    private static final double ONE_SIDED = 0.7;
+    /** Travel after which the other edges of a structure should have been found. */
+    private static final double SETTLED_PX = 8;
 
     private SofasParameters p;
     private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final Motion motion = new Motion();
+    private final Shape shape;
 
     private int id;
     private long firstUs;
@@ -31,6 +45,8 @@ final class TrackPlane {
     private long measuredUs;
     private int measurements;
     private double usualSize;
+    private boolean hidden;
+    private long hiddenUs;
 
     // what the last measurement knew of the velocity: metric, and its loss per (px/s)²
     private double metric;
@@ -52,6 +68,7 @@ final class TrackPlane {
     TrackPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         this.p = p;
         contour = new Contour(sensorWidth, sensorHeight, p.contourShare());
+        shape = new Shape(sensorWidth, sensorHeight);
     }
 
     /** Begins with the velocity of a new structure; its events are to be added. */
@@ -63,12 +80,14 @@ final class TrackPlane {
         live.clear();
         motion.set(nowUs, vx, vy);
         contour.project(live, motion);
+        shape.start(motion);
         lifetimePx = p.lifetimePx();
         lifetimeUs = lifetime();
         sinceMeasured = 0;
         measuredUs = nowUs;
         measurements = 0;
         usualSize = 0;
+        hidden = false;
         known = false;
         density = 0;
         widen = 1;
@@ -102,18 +121,24 @@ final class TrackPlane {
         return lifetimeUs;
     }
 
+    /** How many of the cells around an event the structure was seen on not long ago; 0 where they are too few. */
+    int remembered(int x, int y, long timeUs) {
+        return shape.remembered(x, y, timeUs);
+    }
+
     /** Adds an event of the structure's past, before its motion is measured for the first time. */
     void addPast(int x, int y, long timeUs, int polarity) {
-        append(x, y, timeUs, polarity, false);
+        append(x, y, timeUs, polarity, false, false);
     }
 
     /**
      * Takes an event that lies on the contour, and measures the motion when enough have come.
      *
      * @param shared whether another plane claims it too
+     * @param remembered whether it lies where the contour was, and no live event is near
      */
-    void take(int x, int y, long timeUs, int polarity, boolean shared, MetricFit fit) {
-        append(x, y, timeUs, polarity, shared);
+    void take(int x, int y, long timeUs, int polarity, boolean shared, boolean remembered, MetricFit fit) {
+        append(x, y, timeUs, polarity, shared, remembered);
         events++;
         lastUs = timeUs;
         sinceMeasured++;
@@ -122,15 +147,19 @@ final class TrackPlane {
         }
     }
 
-    private void append(int x, int y, long timeUs, int polarity, boolean shared) {
+    private void append(int x, int y, long timeUs, int polarity, boolean shared, boolean remembered) {
         if (live.isFull()) {
             dropOldest();
         }
-        contour.add(live, live.add(x, y, timeUs, polarity, shared));
+        contour.add(live, live.add(x, y, timeUs, polarity, shared, remembered));
     }
 
     private void dropOldest() {
-        contour.remove(live, live.index(0));
+        int i = live.index(0);
+        if (live.cell[i] >= 0 && !live.remembered[i]) {
+            shape.see(contour.column(live.cell[i]), contour.row(live.cell[i]), live.timeUs[i]);
+        }
+        contour.remove(live, i);
         live.removeOldest();
     }
 
@@ -150,10 +179,30 @@ final class TrackPlane {
      * Whether the plane got too few events: its live events are those of the time in which it travels a number of
      * pixels, so that they stay as many while it moves, whatever its speed.
      */
-    boolean isStarved(long nowUs) {
+    private boolean isStarved(long nowUs) {
         expire(nowUs);
         usualSize = Math.max(live.size(), usualSize * 0.999 + live.size() * 0.001);
         return live.size() < Math.max(LEAST_EVENTS, p.minShare() * usualSize);
+    }
+
+    /**
+     * Whether the structure is no longer to be tracked: its plane is starved, and it was too small to be waited for, is
+     * hidden for longer than it remembers its contour, or has left the sensor.
+     */
+    boolean isGone(long nowUs, SensorSize sensor) {
+        if (!isStarved(nowUs)) {
+            hidden = false;
+            return false;
+        }
+        if (!hidden) {
+            hidden = true;
+            hiddenUs = nowUs;
+        }
+        double x = travelX(nowUs);
+        double y = travelY(nowUs);
+        return events < LEAST_HIDDEN || nowUs - hiddenUs >= memoryUs()
+            || contour.right() + x < 0 || contour.left() + x >= sensor.width()
+            || contour.bottom() + y < 0 || contour.top() + y >= sensor.height();
     }
 
     /** Measures the motion of a structure that gets few events and would else wait long. */
@@ -169,6 +218,9 @@ final class TrackPlane {
         expire(nowUs);
         sinceMeasured = 0;
         measuredUs = nowUs;
+        if (live.size() == 0) {
+            return;
+        }
         if (live.size() >= LEAST_EVENTS && nowUs - live.oldestUs() > 10) {
             double half = (nowUs - live.oldestUs()) * 0.5e-6;
             motion.moveReference(live.oldestUs() + (nowUs - live.oldestUs()) / 2);
@@ -181,7 +233,13 @@ final class TrackPlane {
         contour.project(live, motion);
         motion.moveCentre(contour.centreX(), contour.centreY());
         lifetimeUs = lifetime();
+        shape.follow(contour.motion(), memoryUs());
         expire(nowUs);
+    }
+
+    /** Time in which the structure travels the pixels that it remembers its contour for. */
+    private long memoryUs() {
+        return (long) Math.min(p.maxMemoryUs(), p.memoryPx() / Math.max(motion.speed(contour.radius()), 1e-3) * 1e6);
     }
 
     /**
@@ -190,7 +248,7 @@ final class TrackPlane {
      */
     private int sample() {
         int n = live.size();
-        int least = p.sampleEvents();
+        int least = Math.max(p.sampleEvents(), live.size() / SAMPLE_PART);
         return n <= least ? n : (int) Math.max(least, Math.min(n, n * p.sampleDensity() / Math.max(density, 1e-3)));
     }
 
@@ -206,6 +264,9 @@ final class TrackPlane {
             int i = live.index((int) (place >> 16));
             if (live.shared[i]) {
                 shared++;
+                continue;
+            }
+            if (live.remembered[i]) {
                 continue;
             }
             motion.project(live.x[i], live.y[i], live.timeUs[i]);
@@ -344,8 +405,23 @@ final class TrackPlane {
      * both with little loss of metric.
      */
     boolean describesSameAs(TrackPlane other, long nowUs) {
+        if (live.size() + other.live.size() == 0) {
+            return false;
+        }
         double gap = Math.max(4, p.mergeGapShare() * Math.min(contour.extent(), other.contour.extent()));
+        if (isPairedWith(other) && isSettled(nowUs) && other.isSettled(nowUs)) {
+            gap = Math.max(gap, p.pairGapShare() * Math.max(contour.extent(), other.contour.extent()));
+        }
         return isNear(other, nowUs, gap) && agrees(other) && other.agrees(this) && sharesVelocity(other);
+    }
+
+    /** Whether one is dark and the other bright, as the front and the back of an object are. */
+    private boolean isPairedWith(TrackPlane other) {
+        return contour.polarity() * other.contour.polarity() < -ONE_SIDED * ONE_SIDED;
+    }
+
+    private boolean isSettled(long nowUs) {
+        return (nowUs - firstUs) * 1e-6 * motion.speed(contour.radius()) > SETTLED_PX;
     }
 
     private boolean isNear(TrackPlane other, long nowUs, double gap) {

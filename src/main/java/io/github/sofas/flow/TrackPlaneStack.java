@@ -15,6 +15,8 @@ import java.util.function.Consumer;
  */
 final class TrackPlaneStack {
     private static final long CHECK_US = 5_000;
+    /** Support below this many thresholds is weak. */
+    private static final int WEAK = 4;
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
@@ -26,7 +28,9 @@ final class TrackPlaneStack {
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
+    // of the event matched last
     private boolean shared;
+    private boolean remembered;
 
     TrackPlaneStack(SensorSize sensor, SofasParameters p, MetricFit fit, Consumer<Segment> ended) {
         this.sensor = sensor;
@@ -55,23 +59,52 @@ final class TrackPlaneStack {
                 }
             }
         }
-        shared = secondRate > p.sharedScore() * bestRate;
+        remembered = best == null;
+        if (remembered) {
+            shared = false;
+            return remembering(x, y, timeUs);
+        }
+        shared = secondRate > p.sharedScore() * bestRate
+            || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
         return best;
+    }
+
+    /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
+    private TrackPlane remembering(int x, int y, long timeUs) {
+        TrackPlane best = null;
+        double bestRate = 0;
+        for (int i = 0; i < size; i++) {
+            double rate = (double) planes[i].remembered(x, y, timeUs) / planes[i].lifetimeUs();
+            if (rate > bestRate) {
+                best = planes[i];
+                bestRate = rate;
+            }
+        }
+        return best;
+    }
+
+    private boolean isRememberedByOther(TrackPlane plane, int x, int y, long timeUs) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i] != plane && planes[i].remembered(x, y, timeUs) > 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Gives the event matched last to its plane. */
     void take(TrackPlane plane, int x, int y, long timeUs, int polarity) {
-        plane.take(x, y, timeUs, polarity, shared, fit);
+        plane.take(x, y, timeUs, polarity, shared, remembered, fit);
     }
 
-    /** From time to time removes planes that get too few events, and merges those that describe one structure. */
+    /** From time to time removes planes whose structures are gone, and merges those that describe one structure. */
     void check(long nowUs) {
         if (nowUs < nextCheckUs) {
             return;
         }
         nextCheckUs = nowUs + CHECK_US;
         for (int i = size - 1; i >= 0; i--) {
-            if (planes[i].isStarved(nowUs)) {
+            if (planes[i].isGone(nowUs, sensor)) {
                 end(i, Segment.Fate.REMOVED, 0);
             } else {
                 planes[i].measureIfLate(fit, nowUs);

@@ -41,7 +41,18 @@
  *     does.
  * <li><b>The likeliest plane.</b> An event goes to the plane that predicts it at the greatest rate, not to the
  *     first of the stack; events that two planes claim measure neither. Four bars overtaking each other:
- *     intersection over union 0.49 before, 0.88 after.
+ *     intersection over union 0.49 before, 0.87 after.
+ * <li><b>A memory of the shape.</b> A track plane remembers where its contour was for 64 px of travel, and takes an
+ *     event there that lies on no contour, without measuring it; a structure that is hidden is waited for. Edges that
+ *     come out from behind others would else be structures of their own: three movers that cross, intersection over
+ *     union 0.85 before, 0.94 after; a circle hidden behind a rectangle 0.92 and 0.97, and it keeps its id.
+ * <li><b>Front and back.</b> A dark and a bright edge of one velocity may merge over twice their length. With the
+ *     memory, three wanderers: 0.50 before, 0.77 after.
+ * <li><b>Two grids.</b> Up to 1,900 events vote on two grids half a cell apart: on one, a thin edge in the middle of a
+ *     cell has a greater metric than between two, at its true velocity too. The synthetic square (24 px, no noise)
+ *     swung by 2 px/s, now by 0.3; a regular edge of an event a pixel ran away to five times its speed.
+ * <li><b>A quarter of the live events</b> at least is measured: the direction of four rectangles, known from the ends
+ *     of their edges only, had an sd of 1.7 degrees with 2,000 of 14,000, and has 1.0.
  * <li><b>Merging by metric.</b> Two planes are one structure when a common velocity costs neither more than 1 % of
  *     its metric: a straight edge knows only a part of its velocity, and agrees with any that has that part.
  * </ul>
@@ -49,6 +60,11 @@
  * <p>What was tried and dropped: a sub-pixel dither (see above), votes without sign (slow planes then collect whatever
  * passes), choosing among planes by support alone or by support relative to their mean (the slower one takes the
  * faster's events), projecting the contour anew only when it is stale (faster, but small structures fell apart), cells
- * of one pixel (favour whole pixels of travel) and of 1.6 (no gain over 1.3).
+ * of one pixel (favour whole pixels of travel) and of 1.6 (no gain over 1.3), measuring velocity from remembered
+ * events too (noise on the contour pulls it: a circle hidden by a rectangle 0.97 to 0.95), remembering them in turn
+ * (noise spreads; four bars 0.90 to 0.86), counting what another remembers as claimed by both (bars 0.86 to 0.78),
+ * nearest cells on four or sixteen grids instead of bilinear votes (a hexagon moving along an axis is three times as
+ * right, one at 20 degrees worse: exact coincidence favours whole pixels), a random place within a cell for each vote
+ * (the direction's sd grows by half), every other event on the other grid (too few meet).
  */
 package io.github.sofas.flow;

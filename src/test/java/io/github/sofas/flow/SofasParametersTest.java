@@ -39,6 +39,8 @@ public class SofasParametersTest {
         maxPerturbationDeg 4.0 4.0
         contourThreshold 3 3
         contourShare 0.15 0.15
+        memoryPx 0.0 64.0
+        maxMemoryUs 0 2000000
         voteCellPx 1.3 1.3
         sampleEvents 2000 2000
         sampleDensity 1.5 1.5
@@ -62,6 +64,7 @@ public class SofasParametersTest {
         mergeVelocity 0.15 0.15
         mergeLoss 0.01 0.01
         mergeGapShare 0.8 0.8
+        pairGapShare 0.0 2.0
         """;
 
     private static final List<RecordComponent> NUMBERS = new ArrayList<>();

@@ -124,6 +124,21 @@ public class SofasTest {
     }
 
     @Test
+    public void regularEdgeOfAnEventAPixelKeepsItsVelocity() {
+        // all rows of a column at one moment, one column after the other: thinner than any cell that it is measured on
+        for (int columnUs : new int[] {2_000, 5_000, 10_000, 20_000}) {
+            double speed = 1e6 / columnUs;
+            Result result = runAnew(SofasParameters.defaults(), Streams.edge(20, 50, 40, 0, columnUs), 100);
+            Set<Integer> segments = new HashSet<>();
+            for (int i = 25 * 40; i < result.vx.size(); i++) {
+                assertEquals("event " + i + " at " + speed + " px/s", speed, result.vx.get(i), 0.05 * speed);
+                segments.add(result.segment.get(i));
+            }
+            assertEquals(Set.of(1), segments);
+        }
+    }
+
+    @Test
     public void contourLiesWhereTheStructureIsNow() {
         // enters column 20 + i at 10,000 i µs: column 69 with the last event
         List<Event> edge = Streams.edge(20, 50, 40, 0, 10_000);

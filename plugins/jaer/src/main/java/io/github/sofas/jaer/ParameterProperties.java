@@ -453,6 +453,26 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         return 1f;
     }
 
+    /** The parameter {@link SofasParameters#memoryPx}. */
+    public float getMemoryPx() {
+        return (float) values.number("memoryPx");
+    }
+
+    /** Sets {@link #getMemoryPx}. */
+    public void setMemoryPx(float value) {
+        set("memoryPx", value);
+    }
+
+    /** The parameter {@link SofasParameters#maxMemoryUs}. */
+    public int getMaxMemoryUs() {
+        return (int) values.number("maxMemoryUs");
+    }
+
+    /** Sets {@link #getMaxMemoryUs}. */
+    public void setMaxMemoryUs(int value) {
+        set("maxMemoryUs", value);
+    }
+
     /** The parameter {@link SofasParameters#voteCellPx}. */
     public float getVoteCellPx() {
         return (float) values.number("voteCellPx");
@@ -734,5 +754,15 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
     /** Sets {@link #getMergeGapShare}. */
     public void setMergeGapShare(float value) {
         set("mergeGapShare", value);
+    }
+
+    /** The parameter {@link SofasParameters#pairGapShare}. */
+    public float getPairGapShare() {
+        return (float) values.number("pairGapShare");
+    }
+
+    /** Sets {@link #getPairGapShare}. */
+    public void setPairGapShare(float value) {
+        set("pairGapShare", value);
     }
 }
