@@ -24,7 +24,7 @@ final class Highlights {
     private final long[] lately = new long[CLIP_STEPS];
     private long latelyAll;
     private long best;
-    private long bestEnd;
+    private long bestFirst;
     private final List<Moment> moments = new ArrayList<>();
 
     /**
@@ -61,11 +61,22 @@ final class Highlights {
         put(step, withFlow);
         if (latelyAll > best) {
             best = latelyAll;
-            bestEnd = step + 1;
+            bestFirst = firstWithFlow();
         }
         keepIfBusy();
         events = 0;
         withFlow = 0;
+    }
+
+    /** The first of the last steps but for those at their beginning that hold less than a hundredth of the events. */
+    private long firstWithFlow() {
+        long first = Math.max(0, step + 1 - CLIP_STEPS);
+        long left = 0;
+        while ((left + lately[(int) (first % CLIP_STEPS)]) * 100 < latelyAll) {
+            left += lately[(int) (first % CLIP_STEPS)];
+            first++;
+        }
+        return first;
     }
 
     private void put(long at, long count) {
@@ -98,9 +109,9 @@ final class Highlights {
         moments.add(new Moment(step, events));
     }
 
-    /** The first step of the clip; once finished. */
+    /** The first step of the clip, which something moves in where it does anywhere; once finished. */
     long clipFirst() {
-        return Math.max(0, bestEnd - CLIP_STEPS);
+        return Math.max(0, Math.min(bestFirst, step + 1 - CLIP_STEPS));
     }
 
     /** The step after the clip. */

@@ -34,8 +34,9 @@ public class HighlightsTest {
             add(step, step >= 400 && step < 700 ? 3 : 2, true);
         }
         highlights.finish();
-        assertEquals(400, highlights.clipFirst());
-        assertEquals(700, highlights.clipEnd());
+        // of 900 events less than 9 may be left out at the beginning: two steps' 6
+        assertEquals(402, highlights.clipFirst());
+        assertEquals(702, highlights.clipEnd());
         assertFalse(highlights.clipIsAll());
     }
 
@@ -49,6 +50,27 @@ public class HighlightsTest {
         // 6 + 5 end with step 600
         assertEquals(301, highlights.clipFirst());
         assertEquals(601, highlights.clipEnd());
+    }
+
+    @Test
+    public void clipBeginsWhereSomethingMoves() {
+        for (int step = 0; step < 1000; step++) {
+            add(step, 10, step >= 500 && step < 600);
+        }
+        highlights.finish();
+        // of 1,000 events less than 10 may be left out: none
+        assertEquals(500, highlights.clipFirst());
+        assertEquals(800, highlights.clipEnd());
+    }
+
+    @Test
+    public void clipIsTenSecondsWhereTheRecordingHasThem() {
+        for (int step = 0; step < 1000; step++) {
+            add(step, 10, step >= 950);
+        }
+        highlights.finish();
+        assertEquals(700, highlights.clipFirst());
+        assertEquals(1000, highlights.clipEnd());
     }
 
     @Test
