@@ -32,6 +32,7 @@ final class MetricFit {
     private final float[] fromY;
     private final byte[] vote;
     private int size;
+    private long votes;
 
     /** Positions a pixel. */
     private final float scale;
@@ -101,6 +102,11 @@ final class MetricFit {
         return size;
     }
 
+    /** Votes given since the start, a measure of work. */
+    long votes() {
+        return votes;
+    }
+
     /** Forgets all events. */
     void clear() {
         size = 0;
@@ -142,6 +148,7 @@ final class MetricFit {
 
     /** The metric on a grid shifted by some parts of a cell: 2 w f summed over all votes. */
     private double metric(float[] dx, float sx, float[] dy, float sy, int shift) {
+        votes += size;
         int[] grid = f;
         int w = columns;
         int offsetX = 32768 - originX + shift;

@@ -44,7 +44,7 @@ final class RefinedMethod implements Method {
         if (flowPlane.isToSettle(timeUs)) {
             flowPlane.settle(timeUs);
             if (!stack.isFull()) {
-                search.run(stack);
+                search.run(stack, timeUs);
             }
         }
         return id;

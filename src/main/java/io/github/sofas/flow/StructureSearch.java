@@ -21,6 +21,13 @@ final class StructureSearch {
     private static final int MOST_FITS = 8;
     /** Share of the evidence below which a piece is given up after three fits. */
     private static final double HOPELESS = 0.75;
+    /** Votes after which a look ends with the piece that it is at, about a millisecond; the next look goes on. */
+    private static final int MOST_VOTES = 200_000;
+    /**
+     * Time until the next look for each vote that one took: about twice what it costs, so that labelling catches up
+     * where events come as fast as they are labelled. Time of the events, so that results do not depend on the machine.
+     */
+    private static final double REST_US_PER_VOTE = 0.01;
     /** Share of its events that a piece must not have been looked at with before, in vain. */
     private static final double NEWS = 0.25;
 
@@ -30,6 +37,9 @@ final class StructureSearch {
     private SofasParameters p;
     private MetricFit fit;
     private long nextLook;
+    private long restsUntilUs = Long.MIN_VALUE;
+    /** Votes that the look has given and taken back. */
+    private long votes;
 
     private final int[] label;
     private final int[] fill;
@@ -60,11 +70,12 @@ final class StructureSearch {
     }
 
     /** Looks at the best projection, if there are new events enough, and hands what it finds to the stack. */
-    void run(TrackPlaneStack stack) {
+    void run(TrackPlaneStack stack, long nowUs) {
         long total = plane.total();
-        if (total < nextLook) {
+        if (total < nextLook || nowUs < restsUntilUs) {
             return;
         }
+        votes = 0;
         nextLook = total + EVERY;
         int best = best();
         if (best < 0) {
@@ -77,6 +88,7 @@ final class StructureSearch {
             refusedUntil[best] = total + Math.max(64, held / 4);
             nextLook = total + Math.max(EVERY, held / 8);
         }
+        restsUntilUs = nowUs + (long) (REST_US_PER_VOTE * votes);
     }
 
     /**
@@ -104,23 +116,28 @@ final class StructureSearch {
         return best;
     }
 
+    /** Whether a structure was found, or pieces are left to look at. */
     private boolean extract(int k, TrackPlaneStack stack) {
         int pieces = connect(plane.accumulator(k));
         boolean found = false;
         if (pieces > 0) {
             sort(k, pieces);
-            for (int piece = 1; piece <= pieces && !stack.isFull(); piece++) {
+            for (int piece = 1; piece <= pieces && votes < MOST_VOTES && !stack.isFull(); piece++) {
                 from = starts[piece];
                 size = starts[piece + 1] - from;
                 if (size >= p.minEvents() && isNews(k / n)) {
+                    long before = fit.votes();
                     if (refine(k)) {
                         track(stack);
                         found = true;
+                        votes += (long) size * n * n;
                     } else {
                         refuse(k / n);
                     }
+                    votes += fit.votes() - before;
                 }
             }
+            found |= votes >= MOST_VOTES;
         }
         for (int i = 0; i < filled; i++) {
             label[fill[i]] = 0;
@@ -322,5 +339,6 @@ final class StructureSearch {
     void reset() {
         Arrays.fill(refusedUntil, 0);
         nextLook = 0;
+        restsUntilUs = Long.MIN_VALUE;
     }
 }
