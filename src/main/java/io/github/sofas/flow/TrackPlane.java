@@ -20,7 +20,7 @@ final class TrackPlane {
      * A sample has at least this part of the live events: measurements are the rarer the more there are, so that it
      * costs no more an event, and what is weakly known, the velocity along edges, needs many.
      */
-    private static final int SAMPLE_PART = 4;
+    private static final int SAMPLE_PART = 3;
     /** Events that a structure must have had to be waited for while it is hidden. */
     private static final int LEAST_HIDDEN = 200;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
@@ -64,6 +64,8 @@ final class TrackPlane {
     private double rawAlong;
     private double rawAcross;
     private double rawOmega;
+    /** The change across as far as it is known. */
+    private double shownAcross;
 
     TrackPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         this.p = p;
@@ -94,6 +96,7 @@ final class TrackPlane {
         rawAlong = 0;
         rawAcross = 0;
         rawOmega = 0;
+        shownAcross = 0;
     }
 
     int id() {
@@ -305,7 +308,7 @@ final class TrackPlane {
             forgetChange();
         } else if (measurements >= 2 && moved < 1) {
             measureChange(fit, half);
-            double bend = StrictMath.hypot(rawAlong, rawAcross) * half * half / 2;
+            double bend = StrictMath.hypot(rawAlong, shownAcross) * half * half / 2;
             if (bend > p.maxBendPx()) {
                 lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
             } else if (moved < p.steadyPx() && bend < 0.7 * p.maxBendPx()) {
@@ -365,7 +368,9 @@ final class TrackPlane {
         double across = motion.ay * axisX - motion.ax * axisY + fit.step();
         rawAcross += p.changeGain() * (across - rawAcross);
         // along a straight edge nothing is known, of acceleration still less than of velocity
-        across = p.foresight() * believe(rawAcross, acceleration) * shareOf(flatness, flatness + p.flatChange());
+        double shown = shareOf(flatness, flatness + p.flatChange());
+        shownAcross = rawAcross * shown;
+        across = p.foresight() * believe(rawAcross, acceleration) * shown;
         motion.ax = along * axisX - across * axisY;
         motion.ay = along * axisY + across * axisX;
         double radius = contour.radius();
@@ -374,8 +379,8 @@ final class TrackPlane {
             fit.fitRotation(rotation * p.changePx());
             rawOmega += p.changeGain() * (motion.omega + fit.step() - rawOmega);
             // nor is the rotation of a disc known
-            double shown = fit.loss() * rotation * rotation;
-            motion.omega = believe(rawOmega, rotation) * shareOf(shown, shown + p.flatChange() * bestKnown);
+            double loss = fit.loss() * rotation * rotation;
+            motion.omega = believe(rawOmega, rotation) * shareOf(loss, loss + p.flatChange() * bestKnown);
         }
     }
 
@@ -394,6 +399,7 @@ final class TrackPlane {
     private void forgetChange() {
         rawAlong *= 0.8;
         rawAcross *= 0.8;
+        shownAcross *= 0.8;
         rawOmega *= 0.8;
         motion.ax *= 0.8;
         motion.ay *= 0.8;

@@ -45,7 +45,7 @@ public class AccuracyTest {
         assertOneSegment(Scene.HEXAGON, PLAIN, 0.5, 1.5, 0.3, 1.5, 0.99);
         assertOneSegment(Scene.LARGE_CIRCLE, PLAIN, 0.5, 1.5, 0.3, 1.5, 0.98);
         assertOneSegment(Scene.SMALL_CIRCLE, PLAIN, 1, 2, 0.5, 2, 0.98);
-        assertOneSegment(Scene.RECTANGLES, PLAIN, 0.5, 1.5, 0.6, 1.5, 0.99);
+        assertOneSegment(Scene.RECTANGLES, PLAIN, 0.5, 1.5, 0.3, 1.5, 0.99);
     }
 
     @Test
