@@ -194,8 +194,8 @@ final class Contour {
             }
             support += supportAt(c, live.sign[i]);
             signs += live.sign[i];
-            int x = c % width - MARGIN;
-            int y = c / width - MARGIN;
+            int x = column(c);
+            int y = row(c);
             sumX += x;
             sumY += y;
             squares += x * x + y * y;
