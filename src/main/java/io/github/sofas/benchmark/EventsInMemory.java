@@ -36,11 +36,7 @@ record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
 
     private static EventBatch part(EventBatch from, int start, int size) {
         EventBatch part = new EventBatch(size);
-        System.arraycopy(from.timeUs, start, part.timeUs, 0, size);
-        System.arraycopy(from.x, start, part.x, 0, size);
-        System.arraycopy(from.y, start, part.y, 0, size);
-        System.arraycopy(from.polarity, start, part.polarity, 0, size);
-        part.setSize(size);
+        part.addAll(from, start, size);
         return part;
     }
 
@@ -66,11 +62,7 @@ record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
                 }
                 if (open.isFull()) {
                     EventBatch larger = new EventBatch(2 * open.capacity());
-                    System.arraycopy(open.timeUs, 0, larger.timeUs, 0, count);
-                    System.arraycopy(open.x, 0, larger.x, 0, count);
-                    System.arraycopy(open.y, 0, larger.y, 0, count);
-                    System.arraycopy(open.polarity, 0, larger.polarity, 0, count);
-                    larger.setSize(count);
+                    larger.addAll(open, 0, count);
                     open = larger;
                 }
                 open.add(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);

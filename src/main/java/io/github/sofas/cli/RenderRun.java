@@ -229,14 +229,10 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                 sheet.add(batch, labels, from, to);
                 return;
             }
-            int n = to - from;
-            System.arraycopy(batch.timeUs, from, part.timeUs, 0, n);
-            System.arraycopy(batch.x, from, part.x, 0, n);
-            System.arraycopy(batch.y, from, part.y, 0, n);
-            System.arraycopy(batch.polarity, from, part.polarity, 0, n);
-            part.setSize(n);
+            part.clear();
+            part.addAll(batch, from, to - from);
             labeller.process(part, partLabels);
-            sheet.add(part, partLabels, 0, n);
+            sheet.add(part, partLabels, 0, part.size());
         }
 
         private void shoot(long timeUs) throws IOException {

@@ -70,6 +70,22 @@ public final class EventBatch {
     }
 
     /**
+     * Appends some events of another batch.
+     *
+     * @param from read only; not this batch
+     * @param first the first of them
+     * @param count how many
+     * @throws IndexOutOfBoundsException where they are not there, or do not fit
+     */
+    public void addAll(EventBatch from, int first, int count) {
+        System.arraycopy(from.timeUs, first, timeUs, size, count);
+        System.arraycopy(from.x, first, x, size, count);
+        System.arraycopy(from.y, first, y, size, count);
+        System.arraycopy(from.polarity, first, polarity, size, count);
+        size += count;
+    }
+
+    /**
      * Says how many entries are valid, after a caller wrote the arrays itself.
      *
      * @throws IllegalArgumentException where the size is negative or above the capacity

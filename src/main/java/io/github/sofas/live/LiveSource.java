@@ -65,11 +65,7 @@ public abstract class LiveSource implements EventSource {
         }
         EventBatch from = packet.events;
         int n = Math.min(batch.capacity(), from.size() - delivered);
-        System.arraycopy(from.timeUs, delivered, batch.timeUs, 0, n);
-        System.arraycopy(from.x, delivered, batch.x, 0, n);
-        System.arraycopy(from.y, delivered, batch.y, 0, n);
-        System.arraycopy(from.polarity, delivered, batch.polarity, 0, n);
-        batch.setSize(n);
+        batch.addAll(from, delivered, n);
         delivered += n;
         return true;
     }

@@ -25,11 +25,8 @@ public class HostileEventsTest {
         long sum = 0;
         for (int from = 0; from < stream.size(); from += batchSize) {
             int size = Math.min(batchSize, stream.size() - from);
-            System.arraycopy(stream.timeUs, from, batch.timeUs, 0, size);
-            System.arraycopy(stream.x, from, batch.x, 0, size);
-            System.arraycopy(stream.y, from, batch.y, 0, size);
-            System.arraycopy(stream.polarity, from, batch.polarity, 0, size);
-            batch.setSize(size);
+            batch.clear();
+            batch.addAll(stream, from, size);
             sofas.process(batch, output);
             for (int i = 0; i < size; i++) {
                 boolean finite = Float.isFinite(output.vxPxPerS[i]) && Float.isFinite(output.vyPxPerS[i]);
