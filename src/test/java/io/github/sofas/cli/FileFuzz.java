@@ -1,37 +1,17 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.FuzzRules;
 import io.github.sofas.live.Biases;
 import io.github.sofas.live.CameraModel;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
 /** Small files that commands read beside recordings. Each class inside is a fuzz target. */
 public final class FileFuzz {
-    private static final Path FILE = file();
+    private static final Path FILE = FuzzRules.file(".file");
 
     private FileFuzz() {
-    }
-
-    private static Path file() {
-        try {
-            Path file = Files.createTempFile("sofas-fuzz", ".file");
-            file.toFile().deleteOnExit();
-            return file;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static void write(byte[] data) {
-        try {
-            Files.write(FILE, data);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 
     /** What {@code live --biases} takes; the length chooses the camera. */
@@ -41,18 +21,16 @@ public final class FileFuzz {
 
         /** Called by the fuzzer. */
         public static void fuzzerTestOneInput(byte[] data) {
-            write(data);
+            FuzzRules.write(FILE, data);
             CameraModel[] models = CameraModel.values();
             Biases defaults = Biases.defaults(models[data.length % models.length]);
             try {
                 Biases changed = LiveCommand.changed(defaults, ConfigFile.read(FILE));
-                if (!changed.names().equals(defaults.names())) {
-                    throw new IllegalStateException("not all biases are there: " + changed.names());
-                }
+                FuzzRules.require(changed.names().equals(defaults.names()),
+                    "not all biases are there: " + changed.names());
             } catch (IllegalArgumentException e) {
-                if (!e.getMessage().startsWith("[" + FILE.getFileName() + "] ")) {
-                    throw new IllegalStateException("a message does not name the file: " + e.getMessage());
-                }
+                FuzzRules.require(e.getMessage().startsWith("[" + FILE.getFileName() + "] "),
+                    "a message does not name the file: " + e.getMessage());
             }
         }
 
@@ -70,7 +48,7 @@ public final class FileFuzz {
 
         /** Called by the fuzzer. */
         public static void fuzzerTestOneInput(byte[] data) {
-            write(data);
+            FuzzRules.write(FILE, data);
             EarlierRun.of(FILE);
         }
 

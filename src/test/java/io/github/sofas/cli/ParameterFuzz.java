@@ -1,9 +1,7 @@
 package io.github.sofas.cli;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
+import io.github.sofas.FuzzRules;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,7 +12,7 @@ import java.util.Map;
  * The recording is not there, so that nothing is run.
  */
 public final class ParameterFuzz {
-    private static final Path CONFIG = config();
+    private static final Path CONFIG = FuzzRules.file(".properties");
     private static final Map<String, List<String>> COMMANDS = Map.of(
         "run", List.of("run", "no such recording", "--out", "no such folder"),
         "render", List.of("render", "no such recording", "--out", "no such folder"),
@@ -23,26 +21,12 @@ public final class ParameterFuzz {
     private ParameterFuzz() {
     }
 
-    private static Path config() {
-        try {
-            Path file = Files.createTempFile("sofas-fuzz", ".properties");
-            file.toFile().deleteOnExit();
-            return file;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     /** Called by the fuzzer: a config file up to the first zero, then arguments between zeros, a command the first. */
     public static void fuzzerTestOneInput(byte[] data) {
         String[] parts = new String(data, StandardCharsets.ISO_8859_1).split("\0", -1);
         List<String> command = COMMANDS.getOrDefault(parts.length > 1 ? parts[1] : "", COMMANDS.get("run"));
         List<String> arguments = new ArrayList<>(command);
-        try {
-            Files.write(CONFIG, parts[0].getBytes(StandardCharsets.ISO_8859_1));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        FuzzRules.write(CONFIG, parts[0].getBytes(StandardCharsets.ISO_8859_1));
         if (!parts[0].isEmpty()) {
             arguments.addAll(List.of("--config", CONFIG.toString()));
         }
@@ -51,12 +35,9 @@ public final class ParameterFuzz {
         }
         Executed run = Executed.command(arguments.toArray(new String[0]));
         boolean asksForHelp = run.exitCode == 0 && !run.out.isEmpty();
-        if (run.exitCode != 2 && !asksForHelp) {
-            throw new IllegalStateException("exit code " + run.exitCode + ": " + run.err);
-        }
-        if (run.err.chars().anyMatch(c -> Character.isISOControl(c) && c != '\n')) {
-            throw new IllegalStateException("a message holds control characters: " + run.err);
-        }
+        FuzzRules.require(run.exitCode == 2 || asksForHelp, "exit code " + run.exitCode + ": " + run.err);
+        FuzzRules.require(run.err.chars().noneMatch(c -> Character.isISOControl(c) && c != '\n'),
+            "a message holds control characters: " + run.err);
     }
 
     /** Valid inputs to start from. */

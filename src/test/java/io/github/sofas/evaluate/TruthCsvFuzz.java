@@ -1,29 +1,21 @@
 package io.github.sofas.evaluate;
 
+import static io.github.sofas.FuzzRules.require;
+
+import io.github.sofas.FuzzRules;
 import io.github.sofas.event.EventBatch;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
 /** Files of truth, whatever is in them, held against three events: the truth of these, or one exception. */
 public final class TruthCsvFuzz {
-    private static final Path FILE = file();
+    private static final Path FILE = FuzzRules.file(".truth.csv");
     private static final int LONGEST_MESSAGE = 500;
 
     private TruthCsvFuzz() {
-    }
-
-    private static Path file() {
-        try {
-            Path file = Files.createTempFile("sofas-fuzz", ".truth.csv");
-            file.toFile().deleteOnExit();
-            return file;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 
     /** Called by the fuzzer. */
@@ -32,15 +24,13 @@ public final class TruthCsvFuzz {
         batch.add(-5, 0, 0, 1);
         batch.add(10, 239, 179, -1);
         batch.add(1_000_000_000_000L, 3, 4, 1);
-        try {
-            Files.write(FILE, data);
-            try (TruthCsvReader reader = TruthCsvReader.open(FILE)) {
-                reader.read(batch);
-                reader.end();
-                check(reader.truth());
-            } catch (TruthException e) {
-                checkMessage(e.getMessage());
-            }
+        FuzzRules.write(FILE, data);
+        try (TruthCsvReader reader = TruthCsvReader.open(FILE)) {
+            reader.read(batch);
+            reader.end();
+            check(reader.truth());
+        } catch (TruthException e) {
+            checkMessage(e.getMessage());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -55,15 +45,7 @@ public final class TruthCsvFuzz {
     }
 
     private static void checkMessage(String message) {
-        require(message.startsWith("[" + FILE.getFileName() + "] line "), "names no place: " + message);
-        require(message.length() <= LONGEST_MESSAGE, "a message is too long: " + message.length());
-        require(message.chars().noneMatch(Character::isISOControl), "a message holds control characters");
-    }
-
-    private static void require(boolean holds, String otherwise) {
-        if (!holds) {
-            throw new IllegalStateException(otherwise);
-        }
+        FuzzRules.checkMessage(message, "[" + FILE.getFileName() + "] line ", LONGEST_MESSAGE);
     }
 
     /** Valid inputs to start from. */

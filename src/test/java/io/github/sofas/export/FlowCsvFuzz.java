@@ -1,41 +1,27 @@
 package io.github.sofas.export;
 
+import static io.github.sofas.FuzzRules.require;
+
+import io.github.sofas.FuzzRules;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.flow.FlowOutput;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
 /** Files of labels, whatever is in them: rows that make sense, then an end or one exception. */
 public final class FlowCsvFuzz {
-    private static final Path FILE = file();
+    private static final Path FILE = FuzzRules.file(".flow.csv");
     private static final int BATCH = 16;
     private static final int LONGEST_MESSAGE = 500;
 
     private FlowCsvFuzz() {
     }
 
-    private static Path file() {
-        try {
-            Path file = Files.createTempFile("sofas-fuzz", ".flow.csv");
-            file.toFile().deleteOnExit();
-            return file;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
     /** Called by the fuzzer. */
     public static void fuzzerTestOneInput(byte[] data) {
-        try {
-            Files.write(FILE, data);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        FuzzRules.write(FILE, data);
         try (FlowCsvReader reader = FlowCsvReader.open(FILE)) {
             drain(reader);
         } catch (EventSourceException e) {
@@ -67,15 +53,7 @@ public final class FlowCsvFuzz {
     }
 
     private static void checkMessage(String message) {
-        require(message.startsWith("[" + FILE.getFileName() + "] line "), "names no place: " + message);
-        require(message.length() <= LONGEST_MESSAGE, "a message is too long: " + message.length());
-        require(message.chars().noneMatch(Character::isISOControl), "a message holds control characters");
-    }
-
-    private static void require(boolean holds, String otherwise) {
-        if (!holds) {
-            throw new IllegalStateException(otherwise);
-        }
+        FuzzRules.checkMessage(message, "[" + FILE.getFileName() + "] line ", LONGEST_MESSAGE);
     }
 
     /** Valid inputs to start from. */

@@ -1,5 +1,7 @@
 package io.github.sofas.live;
 
+import static io.github.sofas.FuzzRules.require;
+
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.recording.Chip;
@@ -45,12 +47,6 @@ public final class LiveFuzz {
             eventsAndRecords[1] += length / recordBytes;
         }
         return eventsAndRecords;
-    }
-
-    private static void require(boolean holds, String otherwise) {
-        if (!holds) {
-            throw new IllegalStateException(otherwise);
-        }
     }
 
     private static byte[] transfers(byte[]... all) {

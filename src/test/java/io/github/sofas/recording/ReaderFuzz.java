@@ -1,5 +1,8 @@
 package io.github.sofas.recording;
 
+import static io.github.sofas.FuzzRules.require;
+
+import io.github.sofas.FuzzRules;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.recording.Aedat4Format.Compression;
@@ -43,15 +46,11 @@ public final class ReaderFuzz {
     private static void read(String name, byte[] data, RecordingOptions options) {
         Path file = FILE.resolve(name);
         file.toFile().deleteOnExit();
-        try {
-            Files.write(file, data);
-            try (RecordingReader reader = Recordings.open(file, options)) {
-                drain(name, reader);
-            } catch (EventSourceException e) {
-                checkMessage(name, e.getMessage());
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        FuzzRules.write(file, data);
+        try (RecordingReader reader = Recordings.open(file, options)) {
+            drain(name, reader);
+        } catch (EventSourceException e) {
+            checkMessage(name, e.getMessage());
         }
     }
 
@@ -86,15 +85,7 @@ public final class ReaderFuzz {
     }
 
     private static void checkMessage(String name, String message) {
-        require(message.startsWith("[" + name + "] "), "a message does not name the file: " + message);
-        require(message.length() <= LONGEST_MESSAGE, "a message is too long: " + message.length());
-        require(message.chars().noneMatch(Character::isISOControl), "a message holds control characters");
-    }
-
-    private static void require(boolean holds, String otherwise) {
-        if (!holds) {
-            throw new IllegalStateException(otherwise);
-        }
+        FuzzRules.checkMessage(message, "[" + name + "] ", LONGEST_MESSAGE);
     }
 
     private static byte[] join(String header, byte[]... parts) {
