@@ -33,9 +33,7 @@ public final class StartFilter {
         List<String> command = new ArrayList<>(jaer.command(scratch, options, "io.github.sofas.jaer.ServeFilter"));
         command.addAll(arguments);
         try {
-            Process process = new ProcessBuilder(command).directory(scratch.toFile()).inheritIO().start();
-            Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
-            return process.waitFor();
+            return StartJaer.run(command, scratch);
         } finally {
             StartJaer.delete(scratch);
         }

@@ -42,12 +42,17 @@ public final class StartJaer {
             List<String> command = jaer.command(overlay, List.of(), "net.sf.jaer.JAERViewer");
             // jAER runs in its own folder
             recordings.forEach(recording -> command.add(Path.of(recording).toAbsolutePath().toString()));
-            Process process = new ProcessBuilder(command).directory(jaer.folder().toFile()).inheritIO().start();
-            Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
-            return process.waitFor();
+            return run(command, jaer.folder());
         } finally {
             delete(overlay);
         }
+    }
+
+    /** Runs a command with input and output of this process, which takes it along when it ends; its exit code. */
+    static int run(List<String> command, Path in) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(command).directory(in.toFile()).inheritIO().start();
+        Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
+        return process.waitFor();
     }
 
     /** Deletes a folder with all that is in it. */
