@@ -55,11 +55,12 @@ final class MemoryBound {
         long refined = (long) (Math.min(PaperFlowPlane.LONGEST_SIDE, sensor.width() + farthest + 1) + 2)
             * (long) (Math.min(PaperFlowPlane.LONGEST_SIDE, sensor.height() + farthest + 1) + 2);
         long search = columns * rows * Short.BYTES + refined * (2 * Integer.BYTES + 1)
-            + PAPER_EVENTS * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES);
+            + PAPER_EVENTS * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES)
+            + 2L * p.flowProjections() * PaperVotes.BLOCK * Integer.BYTES;
         long cells = (long) PaperTrackPlane.side(sensor.width(), p) * PaperTrackPlane.side(sensor.height(), p);
         // nine accumulators, raised counts, their folds, and the list of raised cells, as long as it may have grown
         long plane = cells * (10 * Short.BYTES + 3 * Integer.BYTES)
-            + 2 * PAPER_EVENTS * (Long.BYTES + 2 * Short.BYTES);
+            + PAPER_EVENTS * (Long.BYTES + (2 + 2 * PaperTrackPlane.SIDE) * Short.BYTES);
         return search + p.maxTrackPlanes() * plane;
     }
 }

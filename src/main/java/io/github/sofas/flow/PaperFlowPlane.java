@@ -1,7 +1,5 @@
 package io.github.sofas.flow;
 
-import java.util.Arrays;
-
 /**
  * The paper's flow plane: n x n projections, evenly spaced in angle, each with an accumulator of signed votes and its
  * metric; a structure is found when the greatest metric has stayed with one projection for p events (section Flow
@@ -18,15 +16,10 @@ final class PaperFlowPlane {
 
     private SofasParameters p;
     private final int n;
-    private final int[] vx;
-    private final int[] vy;
-    private final short[][] accumulator;
-    private final int[] maskX;
-    private final int[] maskY;
-    private final int[] shift;
-    private final long[] metric;
-    /** Projections from the slowest to the fastest: of equal metrics the first in this order is the greatest. */
-    private final int[] bySpeed;
+    private final PaperVotes votes;
+    /** Which of the votes that wait are an event's first, after each of which the greatest metric counts. */
+    private final int[] arrival = new int[PaperVotes.BLOCK];
+    private int arrivals;
     private PaperRefinement refinement;
 
     private long[] time = new long[1024];
@@ -42,27 +35,7 @@ final class PaperFlowPlane {
     PaperFlowPlane(int width, int height, SofasParameters p) {
         this.p = p;
         n = p.flowProjections();
-        vx = new int[n * n];
-        vy = new int[n * n];
-        accumulator = new short[n * n][];
-        maskX = new int[n * n];
-        maskY = new int[n * n];
-        shift = new int[n * n];
-        metric = new long[n * n];
-        for (int j = 0; j < n; j++) {
-            for (int i = 0; i < n; i++) {
-                int k = j * n + i;
-                vx[k] = velocity(i, p);
-                vy[k] = velocity(j, p);
-                int sizeX = side(width, vx[k], p);
-                int sizeY = side(height, vy[k], p);
-                maskX[k] = sizeX - 1;
-                maskY[k] = sizeY - 1;
-                shift[k] = Integer.numberOfTrailingZeros(sizeX);
-                accumulator[k] = new short[sizeX * sizeY];
-            }
-        }
-        bySpeed = slowestFirst(vx, vy);
+        votes = new PaperVotes(width, height, p);
         refinement = new PaperRefinement(p);
     }
 
@@ -85,22 +58,8 @@ final class PaperFlowPlane {
         return side;
     }
 
-    private static int[] slowestFirst(int[] vx, int[] vy) {
-        Integer[] order = new Integer[vx.length];
-        for (int k = 0; k < order.length; k++) {
-            order[k] = k;
-        }
-        Arrays.sort(order, (a, b) -> Long.compare((long) vx[a] * vx[a] + (long) vy[a] * vy[a],
-            (long) vx[b] * vx[b] + (long) vy[b] * vy[b]));
-        int[] slowestFirst = new int[order.length];
-        for (int k = 0; k < order.length; k++) {
-            slowestFirst[k] = order[k];
-        }
-        return slowestFirst;
-    }
-
     /**
-     * Adds an event to all projections.
+     * Adds an event to all projections, where it may wait for others until it can make a difference.
      *
      * @return whether a structure was found, whose projection has stayed the greatest for p events; it is to be read
      *     from {@link #structure} and then taken out by {@link #release}
@@ -123,14 +82,13 @@ final class PaperFlowPlane {
         y[head] = (short) eventY;
         sign[head] = (byte) polarity;
         vote(head, polarity);
+        arrival[arrivals++] = votes.waiting() - 1;
         head++;
-        int greatest = greatest();
-        if (greatest == best) {
-            constantFor++;
-        } else {
-            best = greatest;
-            constantFor = 1;
+        // a projection must stay the greatest for so many events more: earlier, nothing can be found
+        if (arrivals < p.constantEvents() - constantFor) {
+            return false;
         }
+        settle();
         if (constantFor < p.constantEvents()) {
             return false;
         }
@@ -142,6 +100,7 @@ final class PaperFlowPlane {
 
     /** Looks on with other parameters that leave the projections and the lifespan as they are. */
     void setParameters(SofasParameters next) {
+        settle();
         p = next;
         refinement = new PaperRefinement(p);
     }
@@ -181,33 +140,22 @@ final class PaperFlowPlane {
         head = live;
     }
 
-    /** Adds a vote w to the event's cell of every projection: the metric rises by 2 w f + w^2. */
     private void vote(int i, int w) {
-        long dt = time[i] - referenceUs;
-        int ex = x[i];
-        int ey = y[i];
-        for (int k = 0; k < metric.length; k++) {
-            int cx = ex - Projection.travelled(vx[k], dt) & maskX[k];
-            int cy = ey - Projection.travelled(vy[k], dt) & maskY[k];
-            short[] f = accumulator[k];
-            int c = cy << shift[k] | cx;
-            int before = f[c];
-            metric[k] += 2 * w * before + 1;
-            f[c] = (short) (before + w);
+        if (votes.waiting() == PaperVotes.BLOCK) {
+            settle();
         }
+        votes.add(x[i], y[i], time[i] - referenceUs, w);
     }
 
-    private int greatest() {
-        int found = bySpeed[0];
-        long most = metric[found];
-        for (int a = 1; a < bySpeed.length; a++) {
-            int k = bySpeed[a];
-            if (metric[k] > most) {
-                most = metric[k];
-                found = k;
-            }
+    /** Gives the votes that wait, and follows the greatest metric through the events that they belong to. */
+    private void settle() {
+        votes.settle();
+        for (int a = 0; a < arrivals; a++) {
+            int greatest = votes.greatestAfter(arrival[a]);
+            constantFor = greatest == best ? constantFor + 1 : 1;
+            best = greatest;
         }
-        return found;
+        arrivals = 0;
     }
 
     /** Takes the structure's events out, and projects the rest into the emptied plane. */
@@ -234,6 +182,7 @@ final class PaperFlowPlane {
         for (int i = 0; i < kept; i++) {
             vote(i, sign[i]);
         }
+        settle();
         best = -1;
     }
 
@@ -244,13 +193,15 @@ final class PaperFlowPlane {
 
     /** Metric of a projection, for tests and pictures. */
     long metric(int i, int j) {
-        return metric[j * n + i];
+        settle();
+        return votes.metric(j * n + i);
     }
 
     MetricArray metricArray() {
+        settle();
         float[] perEvent = new float[n * n];
         for (int k = 0; k < perEvent.length && size() > 0; k++) {
-            perEvent[k] = (float) metric[k] / size();
+            perEvent[k] = (float) votes.metric(k) / size();
         }
         return new MetricArray(SofasParameters.Preset.PAPER, n, perEvent);
     }
@@ -259,6 +210,7 @@ final class PaperFlowPlane {
         for (int i = tail; i < head; i++) {
             vote(i, -sign[i]);
         }
+        settle();
         head = 0;
         tail = 0;
         best = -1;

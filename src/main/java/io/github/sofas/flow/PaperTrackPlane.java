@@ -9,10 +9,13 @@ import java.util.Arrays;
  * hits pass a share of its cells becomes the centre.
  */
 final class PaperTrackPlane {
-    private static final int SIDE = 3;
+    static final int SIDE = 3;
+    private static final int MIDDLE = SIDE / 2;
     private static final int CENTRE = SIDE * SIDE / 2;
     /** Most live events, so that no cell overflows; where there are more, the oldest go early. */
     static final int MOST_EVENTS = Short.MAX_VALUE;
+    /** Length of arrays that is always enough: full at most half, they are moved to the front seldom. */
+    private static final int LONGEST = 2 * (MOST_EVENTS + 1);
 
     private SofasParameters p;
     private final int maskX;
@@ -23,8 +26,9 @@ final class PaperTrackPlane {
     private final short[][] accumulator;
     private final int[] cells = new int[SIDE * SIDE];
     private final int[] hits = new int[SIDE * SIDE];
-    private final int[] fixedVx = new int[SIDE * SIDE];
-    private final int[] fixedVy = new int[SIDE * SIDE];
+    /** Velocities of the columns of projections along x, and of the rows along y. */
+    private final int[] fixedVx = new int[SIDE];
+    private final int[] fixedVy = new int[SIDE];
     private final int[] cell = new int[SIDE * SIDE];
     /** What events that missed the contour have raised: how often, and which of the cells that fold to one. */
     private final short[] raised;
@@ -35,6 +39,9 @@ final class PaperTrackPlane {
     private long[] time = new long[256];
     private short[] x = new short[256];
     private short[] y = new short[256];
+    /** Where each live event falls in the columns and in the rows of projections, until the next centre. */
+    private short[][] column = new short[SIDE][256];
+    private short[][] row = new short[SIDE][256];
     private int head;
     private int tail;
 
@@ -109,7 +116,8 @@ final class PaperTrackPlane {
         sinceCheck = 0;
         for (int i = 0; i < structure.loaded(); i++) {
             if (structure.contains(i)) {
-                remember(structure.x(i), structure.y(i), structure.timeUs(i));
+                put(structure.x(i), structure.y(i), structure.timeUs(i));
+                head++;
             }
         }
         firstUs = time[head - 1];
@@ -131,8 +139,10 @@ final class PaperTrackPlane {
         if (head - tail == MOST_EVENTS) {
             removeOldest();
         }
-        locate(eventX, eventY, timeUs);
+        put(eventX, eventY, timeUs);
+        project(head, head + 1);
         for (int k = 0; k < hits.length; k++) {
+            cell[k] = row[k / SIDE][head] << shift | column[k % SIDE][head];
             if (accumulator[k][cell[k]] > 0) {
                 hits[k]++;
             }
@@ -140,7 +150,7 @@ final class PaperTrackPlane {
         int c = cell[CENTRE];
         boolean belongs = accumulator[CENTRE][c] > 0 || raise(c, eventX, eventY, timeUs);
         if (belongs) {
-            remember(eventX, eventY, timeUs);
+            head++;
             for (int k = 0; k < hits.length; k++) {
                 if (accumulator[k][cell[k]]++ == 0) {
                     cells[k]++;
@@ -157,12 +167,17 @@ final class PaperTrackPlane {
         return belongs;
     }
 
-    private void locate(int eventX, int eventY, long timeUs) {
-        long dt = timeUs - referenceUs;
-        for (int k = 0; k < cell.length; k++) {
-            int cx = eventX - Projection.travelled(fixedVx[k], dt) & maskX;
-            int cy = eventY - Projection.travelled(fixedVy[k], dt) & maskY;
-            cell[k] = cy << shift | cx;
+    /** Finds where events [from, to) fall: nine projections need three shifts along each axis only. */
+    private void project(int from, int to) {
+        for (int a = 0; a < SIDE; a++) {
+            project(x, fixedVx[a], maskX, column[a], from, to);
+            project(y, fixedVy[a], maskY, row[a], from, to);
+        }
+    }
+
+    private void project(short[] position, int velocity, int mask, short[] projected, int from, int to) {
+        for (int i = from; i < to; i++) {
+            projected[i] = (short) (position[i] - Projection.travelled(velocity, time[i] - referenceUs) & mask);
         }
     }
 
@@ -173,8 +188,8 @@ final class PaperTrackPlane {
      */
     private boolean raise(int c, int eventX, int eventY, long timeUs) {
         long dt = timeUs - referenceUs;
-        int foldX = eventX - Projection.travelled(fixedVx[CENTRE], dt) >> shift;
-        int foldY = eventY - Projection.travelled(fixedVy[CENTRE], dt) >> shiftY;
+        int foldX = eventX - Projection.travelled(fixedVx[MIDDLE], dt) >> shift;
+        int foldY = eventY - Projection.travelled(fixedVy[MIDDLE], dt) >> shiftY;
         int fold = foldX << 16 | foldY & 0xffff;
         if (raised[c] == 0) {
             if (raisedCount == raisedCells.length) {
@@ -239,9 +254,9 @@ final class PaperTrackPlane {
         empty();
         angleX = PaperRefinement.limited(newAngleX);
         angleY = PaperRefinement.limited(newAngleY);
-        for (int k = 0; k < cell.length; k++) {
-            fixedVx[k] = Projection.fixed(p.velocityAt(PaperRefinement.limited(angleX + (k % SIDE - 1) * h)));
-            fixedVy[k] = Projection.fixed(p.velocityAt(PaperRefinement.limited(angleY + (k / SIDE - 1) * h)));
+        for (int a = 0; a < SIDE; a++) {
+            fixedVx[a] = Projection.fixed(p.velocityAt(PaperRefinement.limited(angleX + (a - MIDDLE) * h)));
+            fixedVy[a] = Projection.fixed(p.velocityAt(PaperRefinement.limited(angleY + (a - MIDDLE) * h)));
         }
         double vx = p.velocityAt(angleX);
         double vy = p.velocityAt(angleY);
@@ -253,17 +268,15 @@ final class PaperTrackPlane {
         while (tail != head && time[tail] < referenceUs - lifetimeUs) {
             tail++;
         }
+        project(tail, head);
+        for (int k = 0; k < cells.length; k++) {
+            cells[k] = fill(accumulator[k], column[k % SIDE], row[k / SIDE]);
+        }
         minX = Integer.MAX_VALUE;
         minY = Integer.MAX_VALUE;
         maxX = 0;
         maxY = 0;
         for (int i = tail; i < head; i++) {
-            locate(x[i], y[i], time[i]);
-            for (int k = 0; k < cell.length; k++) {
-                if (accumulator[k][cell[k]]++ == 0) {
-                    cells[k]++;
-                }
-            }
             minX = Math.min(minX, x[i]);
             minY = Math.min(minY, y[i]);
             maxX = Math.max(maxX, x[i]);
@@ -271,12 +284,21 @@ final class PaperTrackPlane {
         }
     }
 
-    private void empty() {
+    /** Puts the live events on an empty accumulator, and returns how many cells they occupy. */
+    private int fill(short[] live, short[] columns, short[] rows) {
+        int occupied = 0;
         for (int i = tail; i < head; i++) {
-            locate(x[i], y[i], time[i]);
-            for (int k = 0; k < cell.length; k++) {
-                accumulator[k][cell[k]] = 0;
-            }
+            int c = rows[i] << shift | columns[i];
+            int before = live[c];
+            live[c] = (short) (before + 1);
+            occupied += before == 0 ? 1 : 0;
+        }
+        return occupied;
+    }
+
+    private void empty() {
+        for (int k = 0; k < cells.length; k++) {
+            clear(accumulator[k], column[k % SIDE], row[k / SIDE]);
         }
         for (int i = 0; i < raisedCount; i++) {
             raised[raisedCells[i]] = 0;
@@ -284,6 +306,12 @@ final class PaperTrackPlane {
         raisedCount = 0;
         Arrays.fill(cells, 0);
         Arrays.fill(hits, 0);
+    }
+
+    private void clear(short[] live, short[] columns, short[] rows) {
+        for (int i = tail; i < head; i++) {
+            live[rows[i] << shift | columns[i]] = 0;
+        }
     }
 
     private void expire(long nowUs) {
@@ -294,35 +322,43 @@ final class PaperTrackPlane {
     }
 
     private void removeOldest() {
-        locate(x[tail], y[tail], time[tail]);
-        for (int k = 0; k < cell.length; k++) {
-            if (--accumulator[k][cell[k]] == 0) {
+        for (int k = 0; k < cells.length; k++) {
+            if (--accumulator[k][row[k / SIDE][tail] << shift | column[k % SIDE][tail]] == 0) {
                 cells[k]--;
             }
         }
         tail++;
     }
 
-    private void remember(int eventX, int eventY, long timeUs) {
+    /** Puts an event behind the live ones; it is one of them once {@link #head} has passed it. */
+    private void put(int eventX, int eventY, long timeUs) {
         if (head == time.length) {
-            int live = head - tail;
-            int capacity = live > time.length / 2 ? time.length * 2 : time.length;
-            long[] newTime = capacity == time.length ? time : new long[capacity];
-            short[] newX = capacity == time.length ? x : new short[capacity];
-            short[] newY = capacity == time.length ? y : new short[capacity];
-            System.arraycopy(time, tail, newTime, 0, live);
-            System.arraycopy(x, tail, newX, 0, live);
-            System.arraycopy(y, tail, newY, 0, live);
-            time = newTime;
-            x = newX;
-            y = newY;
-            tail = 0;
-            head = live;
+            moveToFront(head - tail > time.length / 2 ? Math.min(2 * time.length, LONGEST) : time.length);
         }
         time[head] = timeUs;
         x[head] = (short) eventX;
         y[head] = (short) eventY;
-        head++;
+    }
+
+    /** Moves the live events to the front of arrays of some length. */
+    private void moveToFront(int length) {
+        long[] newTime = length == time.length ? time : new long[length];
+        System.arraycopy(time, tail, newTime, 0, head - tail);
+        time = newTime;
+        x = moved(x, length);
+        y = moved(y, length);
+        for (int a = 0; a < SIDE; a++) {
+            column[a] = moved(column[a], length);
+            row[a] = moved(row[a], length);
+        }
+        head -= tail;
+        tail = 0;
+    }
+
+    private short[] moved(short[] from, int length) {
+        short[] to = length == from.length ? from : new short[length];
+        System.arraycopy(from, tail, to, 0, head - tail);
+        return to;
     }
 
     /**
@@ -357,7 +393,7 @@ final class PaperTrackPlane {
         empty();
         int mine = head - tail;
         int theirs = other.head - other.tail;
-        long[] newTime = new long[Math.max(time.length, 2 * (mine + theirs))];
+        long[] newTime = new long[Math.max(time.length, mine + theirs)];
         short[] newX = new short[newTime.length];
         short[] newY = new short[newTime.length];
         int a = tail;
@@ -371,6 +407,8 @@ final class PaperTrackPlane {
         time = newTime;
         x = newX;
         y = newY;
+        column = new short[SIDE][time.length];
+        row = new short[SIDE][time.length];
         tail = Math.max(0, mine + theirs - MOST_EVENTS);
         head = mine + theirs;
         events += other.events;
@@ -390,11 +428,11 @@ final class PaperTrackPlane {
 
     /** Shows the cells of the central projection that live events occupy, carried on to a time. */
     void contour(long nowUs, SensorSize sensor, PixelConsumer pixels) {
-        int travelX = Projection.travelled(fixedVx[CENTRE], nowUs - referenceUs);
-        int travelY = Projection.travelled(fixedVy[CENTRE], nowUs - referenceUs);
+        int travelX = Projection.travelled(fixedVx[MIDDLE], nowUs - referenceUs);
+        int travelY = Projection.travelled(fixedVy[MIDDLE], nowUs - referenceUs);
         for (int i = tail; i < head; i++) {
-            int shownX = x[i] - Projection.travelled(fixedVx[CENTRE], time[i] - referenceUs) + travelX;
-            int shownY = y[i] - Projection.travelled(fixedVy[CENTRE], time[i] - referenceUs) + travelY;
+            int shownX = x[i] - Projection.travelled(fixedVx[MIDDLE], time[i] - referenceUs) + travelX;
+            int shownY = y[i] - Projection.travelled(fixedVy[MIDDLE], time[i] - referenceUs) + travelY;
             if (sensor.contains(shownX, shownY)) {
                 pixels.accept(shownX, shownY);
             }

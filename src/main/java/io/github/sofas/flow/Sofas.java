@@ -73,7 +73,7 @@ public final class Sofas implements EventLabeller {
      * <p>{@code paper}: 2 bytes for each cell of the n² accumulators, whose sides are those of the sensor and the
      * travel during the lifespan, rounded up to powers of two, at most 4,096; 9 for each cell of the plane that a
      * structure is refined on, at most 4,098²; and for each track plane 32 bytes for each cell of sensor and farthest
-     * travel, and 12 for each of the 131,072 events that its arrays have room for.
+     * travel, and 24 for each of the 65,536 events that its arrays have room for.
      */
     public static long mostBytes(SensorSize sensor, SofasParameters parameters) {
         return MemoryBound.bytes(sensor, parameters);

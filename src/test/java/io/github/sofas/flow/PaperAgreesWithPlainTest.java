@@ -75,6 +75,31 @@ public class PaperAgreesWithPlainTest {
         return found;
     }
 
+    @Test
+    public void eventsThatWaitForOthersFindTheSameStructures() {
+        // nobody asks for a metric between two structures, so that events wait for as long as they may
+        int found = 0;
+        for (SofasParameters p : List.of(SHORT, SHORT.withFlowProjections(4), SHORT.withConstantEvents(3))) {
+            for (List<Event> events : streams()) {
+                PaperFlowPlane fast = new PaperFlowPlane(TINY.width(), TINY.height(), p);
+                PlainPaperFlowPlane plain = new PlainPaperFlowPlane(p);
+                for (Event e : events) {
+                    boolean expected = plain.add(e);
+                    assertEquals(expected, fast.add(e.x(), e.y(), e.timeUs(), e.polarity()));
+                    if (expected) {
+                        found++;
+                        assertEquals(plain.angleX, fast.structure().angleX(), 0);
+                        assertEquals(plain.angleY, fast.structure().angleY(), 0);
+                        assertEquals(plain.members, members(fast.structure()));
+                        fast.release();
+                        plain.release();
+                    }
+                }
+            }
+        }
+        assertTrue("found " + found, found >= 30);
+    }
+
     private static List<Event> members(PaperRefinement structure) {
         List<Event> members = new ArrayList<>();
         for (int i = 0; i < structure.loaded(); i++) {
