@@ -360,6 +360,9 @@ public final class PictureSheet {
         Graphics2D g = graphics();
         g.setColor(new Color(theme.page));
         g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
+        // what Mp4Film takes for ground; two columns, as two pixels share a colour
+        g.setColor(new Color(theme.sensor));
+        g.fillRect(width - 2, 0, 2, picture.getHeight());
         for (int k = 0; k < options.panels().size(); k++) {
             Panel panel = options.panels().get(k);
             g.setColor(new Color(theme.sensor));

@@ -135,6 +135,39 @@ public class FilmTest {
         }
     }
 
+    /** Dots jump over a ground of one colour, which is also that of the margin on the right. */
+    @Test
+    public void dotsThatGoLeaveNothingInAnMp4() throws IOException, JCodecException {
+        File file = folder.newFile("film.mp4");
+        int ground = 0x202428;
+        BufferedImage picture = new BufferedImage(96, 64, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(3);
+        try (Film film = new Mp4Film(file.toPath(), 25)) {
+            for (int k = 0; k < 20; k++) {
+                for (int i = 0; i < 96 * 64; i++) {
+                    picture.setRGB(i % 96, i / 96, ground);
+                }
+                for (int dot = 0; dot < 60 && k < 19; dot++) {
+                    picture.setRGB(random.nextInt(88), random.nextInt(64), 0xE69F00);
+                }
+                film.add(picture);
+            }
+        }
+        FrameGrab grab = FrameGrab.createFrameGrab(NIOUtils.readableChannel(file));
+        Picture last = null;
+        for (int k = 0; k < 20; k++) {
+            last = grab.getNativeFrame();
+        }
+        // 16 + 0.257 * 32 + 0.504 * 36 + 0.098 * 40; colours 128 - 1 and 128 + 1, all less by 128
+        for (int i = 0; i < 96 * 64; i++) {
+            assertEquals("pixel " + i, 16 + 8 + 18 + 4 - 128, last.getPlaneData(0)[i], 3);
+        }
+        for (int i = 0; i < 48 * 32; i++) {
+            assertEquals(1, last.getPlaneData(1)[i], 3);
+            assertEquals(-1, last.getPlaneData(2)[i], 3);
+        }
+    }
+
     @Test
     public void mp4HoldsThePictures() throws IOException, JCodecException {
         File file = folder.newFile("film.mp4");

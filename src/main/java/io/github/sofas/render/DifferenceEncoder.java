@@ -1,0 +1,337 @@
+package io.github.sofas.render;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import org.jcodec.codecs.h264.H264Const;
+import org.jcodec.codecs.h264.decode.CoeffTransformer;
+import org.jcodec.codecs.h264.io.model.MBType;
+import org.jcodec.common.model.Picture;
+
+/**
+ * Encodes what a picture has other than the picture before, in H.264 without smoothing. Each block of 16 x 16 pixels is
+ * predicted either as it was, or as the ground: the rightmost pixel of each row, which the standard continues beyond
+ * the picture's edge, and which a motion vector as long as the picture is wide therefore finds from every block. So
+ * dots that go cost nothing, dots that come leave nothing of those before them, and what stands still is copied.
+ *
+ * <p>Motion is not searched for: dots that jump from picture to picture have none that a block could follow.
+ */
+final class DifferenceEncoder {
+    /** Coarseness, 0 to 51: thin arrows and letters stay clean. */
+    static final int QUANTISATION = 28;
+    /** Difference of colour, in steps of 1 / 256, that is not worth writing. */
+    private static final int UNSEEN = 3;
+    /** Longest motion vector, in pixels. */
+    private static final int FARTHEST = 2047;
+    private static final int QUARTERS = 4;
+    private static final int[] NOTHING = new int[16];
+    private static final int[] NO_MEANS = new int[4];
+    /** Four pixels at once. */
+    private static final VarHandle FOUR = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
+    private static final int ALL_FOUR = 0x01010101;
+
+    private final int columns;
+    private final int rows;
+    /** The picture before as it was given, and as the player sees it. */
+    private final Picture before;
+    private final Picture seen;
+    /** How many coefficients each block of 4 x 4 values has, in each plane. */
+    private final byte[][] counts;
+    /** Which blocks of 16 x 16 are predicted as ground. */
+    private final boolean[] isGround;
+    /** Ground of each row of pixels of a row of blocks, in each plane: as it is given now, and as the player saw it. */
+    private final byte[][] groundNow = {new byte[16], new byte[8], new byte[8]};
+    private final byte[][] groundSeen = {new byte[16], new byte[8], new byte[8]};
+
+    // of the block of 16 x 16 that is encoded
+    private final int[][] luma = new int[16][16];
+    private final boolean[] isWritten = new boolean[16];
+    /** Blue and red, four blocks each, and of each block the mean. */
+    private final int[][][] colour = new int[2][4][16];
+    private final int[][] means = new int[2][4];
+
+    /**
+     * Prepares for pictures of a size.
+     *
+     * @param before the picture before, which the caller brings up to date after each
+     * @param seen the same as the player sees it; kept up to date here
+     */
+    DifferenceEncoder(int columns, int rows, Picture before, Picture seen) {
+        this.columns = columns;
+        this.rows = rows;
+        this.before = before;
+        this.seen = seen;
+        int blocks = columns * rows;
+        counts = new byte[][] {new byte[16 * blocks], new byte[4 * blocks], new byte[4 * blocks]};
+        isGround = new boolean[blocks];
+    }
+
+    /**
+     * Writes a picture's blocks.
+     *
+     * @param changed of each block, row by row, whether it may differ from the picture before
+     */
+    void encode(Picture picture, boolean[] changed, CoefficientWriter bits) {
+        for (byte[] plane : counts) {
+            Arrays.fill(plane, (byte) 0);
+        }
+        int skipped = 0;
+        for (int row = 0; row < rows; row++) {
+            boolean groundStays = findGround(picture, row) && columns * 16 <= FARTHEST;
+            for (int column = 0; column < columns; column++) {
+                int at = row * columns + column;
+                boolean skipsToGround = column > 0 && row > 0 && isGround[at - 1] && isGround[at - columns];
+                boolean fromGround = groundStays && (changed[at] || skipsToGround)
+                    && isNearerToGround(picture, column, row, skipsToGround);
+                isGround[at] = fromGround;
+                int pattern = fromGround || changed[at] ? transform(picture, column, row, fromGround) : 0;
+                if (fromGround) {
+                    paintGround(column, row);
+                }
+                if (pattern == 0 && fromGround == skipsToGround) {
+                    skipped++;
+                    continue;
+                }
+                bits.writeUnsigned(skipped);
+                skipped = 0;
+                bits.writeUnsigned(MBType.P_16x16.code());
+                int farther = (fromGround ? 1 : 0) - (expectsGround(column, row) ? 1 : 0);
+                bits.writeSigned(farther * columns * 16 * QUARTERS);
+                bits.writeSigned(0);
+                bits.writeUnsigned(H264Const.CODED_BLOCK_PATTERN_INTER_COLOR_INV[pattern]);
+                if (pattern > 0) {
+                    // no change of coarseness
+                    bits.writeSigned(0);
+                    writeLuma(column, row, bits, pattern);
+                    writeColour(column, row, bits, pattern);
+                }
+            }
+        }
+        if (skipped > 0) {
+            bits.writeUnsigned(skipped);
+        }
+    }
+
+    /** Takes the ground of a row of blocks; whether it is as it was. */
+    private boolean findGround(Picture picture, int row) {
+        boolean stays = true;
+        for (int plane = 0; plane < 3; plane++) {
+            int side = side(plane);
+            for (int y = 0; y < side; y++) {
+                int last = (row * side + y + 1) * columns * side - 1;
+                groundNow[plane][y] = picture.getPlaneData(plane)[last];
+                groundSeen[plane][y] = seen.getPlaneData(plane)[last];
+                stays &= groundNow[plane][y] == before.getPlaneData(plane)[last];
+            }
+        }
+        return stays;
+    }
+
+    private static int side(int plane) {
+        return plane == 0 ? 16 : 8;
+    }
+
+    /** Whether fewer of a block's 16 parts differ from the ground than from the picture before. */
+    private boolean isNearerToGround(Picture picture, int column, int row, boolean ifAsNear) {
+        int stride = columns << 4;
+        int balance = 0;
+        for (int i = 0; i < 16; i++) {
+            int at = place(i, 0, column, row);
+            balance += hasChanged(picture, 0, at, stride) ? 1 : 0;
+            balance -= differsFromGround(picture, 0, at, stride, i >> 2 << 2) ? 1 : 0;
+        }
+        return balance > 0 || balance == 0 && ifAsNear;
+    }
+
+    /** Whether a block whose place is not told is expected to be ground, as most of its neighbours are. */
+    private boolean expectsGround(int column, int row) {
+        int at = row * columns + column;
+        boolean left = column > 0 && isGround[at - 1];
+        if (row == 0) {
+            return left;
+        }
+        boolean above = isGround[at - columns];
+        boolean corner = column < columns - 1 ? isGround[at - columns + 1]
+            : column > 0 ? isGround[at - columns - 1] : above;
+        return left && (above || corner) || above && corner;
+    }
+
+    /** Transforms the differences to what is predicted; the coded block pattern. */
+    private int transform(Picture picture, int column, int row, boolean fromGround) {
+        int pattern = 0;
+        for (int i = 0; i < 16; i++) {
+            isWritten[i] = subtract(picture, 0, place(i, 0, column, row), fromGround ? i >> 2 << 2 : -1, luma[i]);
+            if (isWritten[i]) {
+                CoeffTransformer.fdct4x4(luma[i]);
+                CoeffTransformer.quantizeAC(luma[i], QUANTISATION);
+                isWritten[i] = !Arrays.equals(luma[i], NOTHING);
+            }
+            if (isWritten[i]) {
+                // of a quarter of the block, 8 x 8
+                pattern |= 1 << (i >> 3 << 1 | i >> 1 & 1);
+            }
+        }
+        int greatest = 0;
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < 4; i++) {
+                int[] block = colour[k][i];
+                if (subtract(picture, k + 1, place(i, k + 1, column, row), fromGround ? i >> 1 << 2 : -1, block)) {
+                    for (int difference : block) {
+                        greatest = Math.max(greatest, Math.abs(difference));
+                    }
+                } else {
+                    Arrays.fill(block, 0);
+                }
+            }
+        }
+        return greatest > UNSEEN ? pattern | transformColour() << 4 : pattern;
+    }
+
+    /** What is written of the differences in colour: nothing, 1 the means of the blocks, 2 all. */
+    private int transformColour() {
+        int written = 0;
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < 4; i++) {
+                int[] block = colour[k][i];
+                CoeffTransformer.fdct4x4(block);
+                means[k][i] = block[0];
+                block[0] = 0;
+                CoeffTransformer.quantizeAC(block, QUANTISATION);
+                written = Arrays.equals(block, NOTHING) ? written : 2;
+            }
+            CoeffTransformer.fvdDC2x2(means[k]);
+            CoeffTransformer.quantizeDC2x2(means[k], QUANTISATION);
+            written = Math.max(written, Arrays.equals(means[k], NO_MEANS) ? 0 : 1);
+        }
+        return written;
+    }
+
+    /** The first value of a part of 4 x 4 values, of those that follow each other by rows in a block. */
+    private int place(int part, int plane, int column, int row) {
+        int side = side(plane);
+        int partsAcross = side >> 2;
+        int y = row * side + (part / partsAcross << 2);
+        return y * columns * side + column * side + (part % partsAcross << 2);
+    }
+
+    /**
+     * Takes the difference of 4 x 4 values to what is predicted, where they are other than it was meant to be.
+     *
+     * @param groundRow row in the block, where ground is predicted; -1 where the picture before is
+     */
+    private boolean subtract(Picture picture, int plane, int at, int groundRow, int[] block) {
+        int stride = columns * side(plane);
+        byte[] now = picture.getPlaneData(plane);
+        if (groundRow >= 0) {
+            if (!differsFromGround(picture, plane, at, stride, groundRow)) {
+                return false;
+            }
+            for (int i = 0; i < 16; i++) {
+                block[i] = now[at + (i >> 2) * stride + (i & 3)] - groundSeen[plane][groundRow + (i >> 2)];
+            }
+            return true;
+        }
+        if (!hasChanged(picture, plane, at, stride)) {
+            return false;
+        }
+        byte[] then = seen.getPlaneData(plane);
+        for (int i = 0; i < 16; i++) {
+            int pixel = at + (i >> 2) * stride + (i & 3);
+            block[i] = now[pixel] - then[pixel];
+        }
+        return true;
+    }
+
+    /** Whether 4 x 4 values have. */
+    private boolean hasChanged(Picture picture, int plane, int at, int stride) {
+        byte[] now = picture.getPlaneData(plane);
+        byte[] then = before.getPlaneData(plane);
+        int difference = 0;
+        for (int y = 0; y < 4; y++) {
+            difference |= (int) FOUR.get(now, at + y * stride) ^ (int) FOUR.get(then, at + y * stride);
+        }
+        return difference != 0;
+    }
+
+    private boolean differsFromGround(Picture picture, int plane, int at, int stride, int groundRow) {
+        byte[] now = picture.getPlaneData(plane);
+        int difference = 0;
+        for (int y = 0; y < 4; y++) {
+            difference |= (int) FOUR.get(now, at + y * stride) ^ (groundNow[plane][groundRow + y] & 0xFF) * ALL_FOUR;
+        }
+        return difference != 0;
+    }
+
+    private void writeLuma(int column, int row, CoefficientWriter bits, int pattern) {
+        for (int i = 0; i < 16; i++) {
+            if ((pattern >> (i >> 2) & 1) == 0) {
+                continue;
+            }
+            int part = H264Const.BLK_INV_MAP[i];
+            int[] block = isWritten[part] ? luma[part] : NOTHING;
+            write(0, (column << 2) + (part & 3), (row << 2) + (part >> 2), block, 0, bits);
+            if (isWritten[part]) {
+                CoeffTransformer.dequantizeAC(block, QUANTISATION, null);
+                CoeffTransformer.idct4x4(block);
+                add(0, place(part, 0, column, row), block);
+            }
+        }
+    }
+
+    private void writeColour(int column, int row, CoefficientWriter bits, int pattern) {
+        int written = pattern >> 4;
+        if (written == 0) {
+            return;
+        }
+        bits.writeColourMeans(means[0]);
+        bits.writeColourMeans(means[1]);
+        for (int k = 0; k < 2; k++) {
+            CoeffTransformer.invDC2x2(means[k]);
+            CoeffTransformer.dequantizeDC2x2(means[k], QUANTISATION, null);
+            for (int i = 0; i < 4; i++) {
+                int[] block = colour[k][i];
+                if (written == 2) {
+                    write(k + 1, (column << 1) + (i & 1), (row << 1) + (i >> 1), block, 1, bits);
+                }
+                CoeffTransformer.dequantizeAC(block, QUANTISATION, null);
+                block[0] = means[k][i];
+                CoeffTransformer.idct4x4(block);
+                add(k + 1, place(i, k + 1, column, row), block);
+            }
+        }
+    }
+
+    /** Writes a part in the code that the number of coefficients left and above asks for. */
+    private void write(int plane, int x, int y, int[] block, int first, CoefficientWriter bits) {
+        int stride = columns * (side(plane) >> 2);
+        int at = y * stride + x;
+        byte[] count = counts[plane];
+        int left = x > 0 ? count[at - 1] : 0;
+        int above = y > 0 ? count[at - stride] : 0;
+        int neighbours = x > 0 && y > 0 ? left + above + 1 >> 1 : left + above;
+        count[at] = (byte) bits.writeBlock(block, first, neighbours);
+    }
+
+    /** Makes a block that is seen ground. */
+    private void paintGround(int column, int row) {
+        for (int plane = 0; plane < 3; plane++) {
+            byte[] pixels = seen.getPlaneData(plane);
+            int side = side(plane);
+            int at = place(0, plane, column, row);
+            for (int y = 0; y < side; y++, at += columns * side) {
+                Arrays.fill(pixels, at, at + side, groundSeen[plane][y]);
+            }
+        }
+    }
+
+    /** Adds a difference to what is seen. */
+    private void add(int plane, int at, int[] block) {
+        byte[] pixels = seen.getPlaneData(plane);
+        int stride = columns * side(plane);
+        for (int i = 0; i < 16; i++) {
+            int pixel = at + (i >> 2) * stride + (i & 3);
+            pixels[pixel] = (byte) Math.max(-128, Math.min(127, pixels[pixel] + block[i]));
+        }
+    }
+}
