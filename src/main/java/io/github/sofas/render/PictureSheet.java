@@ -41,6 +41,7 @@ public final class PictureSheet {
     private final Theme theme;
     private final FlowColours flowColours;
     private final SegmentColours segmentColours;
+    private final SegmentNames segmentNames;
     private final PictureOptions.Crop crop;
     private final int scale;
 
@@ -52,6 +53,14 @@ public final class PictureSheet {
     private final float[] vy;
     private final int[] segment;
     private long events;
+    /** Pixels in the order of their events; only a pixel's last place, which is remembered beside, counts. */
+    private final int[] order;
+    private final int[] place;
+    private int ordered;
+    /** Pixels that the picture shows, and the place of their segment among those seen. */
+    private final int[] exposed;
+    private final int[] exposedSegment;
+    private int exposedPixels;
 
     /** Null before the first one. */
     private GreyFrame frame;
@@ -78,6 +87,7 @@ public final class PictureSheet {
         theme = options.theme();
         flowColours = new FlowColours(options.wheel(), theme);
         segmentColours = new SegmentColours(theme);
+        segmentNames = new SegmentNames(theme.sensor);
         crop = options.crop() != null ? options.crop()
             : new PictureOptions.Crop(0, 0, sensor.width(), sensor.height());
         if (crop.width() < 1 || crop.height() < 1 || !sensor.contains(crop.x(), crop.y())
@@ -90,11 +100,14 @@ public final class PictureSheet {
         int n = sensor.width() * sensor.height();
         seenUs = new long[n];
         number = new long[n];
-        Arrays.fill(number, -1);
         polarity = new byte[n];
         vx = new float[n];
         vy = new float[n];
         segment = new int[n];
+        order = new int[2 * n];
+        place = new int[n];
+        exposed = new int[n];
+        exposedSegment = new int[n];
         int columns = Math.min(2, options.panels().size());
         int rows = (options.panels().size() + 1) / 2;
         width = blocks(columns * (panelWidth() + MARGIN) + MARGIN);
@@ -148,8 +161,25 @@ public final class PictureSheet {
                 vx[at] = flow.vxPxPerS[i];
                 vy[at] = flow.vyPxPerS[i];
                 segment[at] = flow.segment[i];
+                if (ordered == order.length) {
+                    forgetEarlierPlaces();
+                }
+                place[at] = ordered;
+                order[ordered++] = at;
             }
         }
+    }
+
+    private void forgetEarlierPlaces() {
+        int kept = 0;
+        for (int i = 0; i < ordered; i++) {
+            int at = order[i];
+            if (place[at] == i) {
+                place[at] = kept;
+                order[kept++] = at;
+            }
+        }
+        ordered = kept;
     }
 
     /**
@@ -180,9 +210,9 @@ public final class PictureSheet {
         }
         System.arraycopy(base, 0, pixels, 0, pixels.length);
         for (int k = 0; k < options.panels().size(); k++) {
-            paintEvents(k, timeUs);
+            paintEvents(k);
         }
-        Graphics2D g = graphics();
+        Graphics2D g = graphics(picture);
         for (int k = 0; k < options.panels().size(); k++) {
             Panel panel = options.panels().get(k);
             g.setClip(left(k), top(k), panelWidth(), panelHeight());
@@ -212,24 +242,28 @@ public final class PictureSheet {
     }
 
     private boolean isExposed(int at, long timeUs) {
-        return number[at] >= 0 && (options.exposureUs() > 0 ? timeUs - seenUs[at] < options.exposureUs()
-            : events - number[at] <= options.exposureEvents());
+        return options.exposureUs() > 0 ? timeUs - seenUs[at] < options.exposureUs()
+            : events - number[at] <= options.exposureEvents();
     }
 
-    /** Sees which segments are exposed, and how fast all is. */
+    /** Sees which pixels and segments are exposed, and how fast all is. */
     private void survey(long timeUs) {
         seen.clear();
         Arrays.fill(speeds, 0);
+        exposedPixels = 0;
         int withFlow = 0;
-        for (int y = 0; y < sensor.height(); y++) {
-            for (int x = 0; x < sensor.width(); x++) {
-                int at = y * sensor.width() + x;
-                if (segment[at] != 0 && isExposed(at, timeUs)) {
-                    seen.add(segment[at], x, y, vx[at], vy[at]);
-                    speeds[step(Math.sqrt(vx[at] * vx[at] + vy[at] * vy[at]))]++;
-                    withFlow++;
-                }
+        for (int i = ordered - 1; i >= 0 && isExposed(order[i], timeUs); i--) {
+            int at = order[i];
+            if (place[at] != i) {
+                continue;
             }
+            if (segment[at] != 0) {
+                exposedSegment[exposedPixels] = seen.add(segment[at], at % sensor.width(), at / sensor.width(), vx[at],
+                    vy[at]);
+                speeds[step(Math.sqrt(vx[at] * vx[at] + vy[at] * vy[at]))]++;
+                withFlow++;
+            }
+            exposed[exposedPixels++] = at;
         }
         segmentColours.assign(seen);
         if (options.fullPxPerS() == 0 && withFlow > 100) {
@@ -271,7 +305,7 @@ public final class PictureSheet {
         }
     }
 
-    private void paintEvents(int k, long timeUs) {
+    private void paintEvents(int k) {
         Panel panel = options.panels().get(k);
         if (panel == Panel.GREY) {
             if (frame != null) {
@@ -279,29 +313,24 @@ public final class PictureSheet {
             }
             return;
         }
-        int lastId = 0;
-        int lastColour = 0;
-        for (int row = 0; row < crop.height(); row++) {
-            int at = (crop.y() + row) * sensor.width() + crop.x();
-            int to = (top(k) + row * scale) * width + left(k);
-            for (int column = 0; column < crop.width(); column++, at++, to += scale) {
-                if (!isExposed(at, timeUs)) {
-                    continue;
-                }
-                int rgb = theme.faint;
-                if (panel == Panel.EVENTS) {
-                    rgb = polarity[at] > 0 ? theme.on : theme.off;
-                } else if (segment[at] != 0 && panel == Panel.FLOW) {
-                    rgb = flowColours.rgb(vx[at], vy[at], fullPxPerS);
-                } else if (segment[at] != 0 && panel == Panel.SEGMENTS) {
-                    if (segment[at] != lastId) {
-                        lastId = segment[at];
-                        lastColour = segmentColours.rgb(lastId);
-                    }
-                    rgb = lastColour;
-                }
-                fill(to, rgb);
+        int[] colours = new int[seen.size()];
+        Arrays.setAll(colours, i -> segmentColours.rgb(seen.id(i)));
+        for (int i = 0; i < exposedPixels; i++) {
+            int at = exposed[i];
+            int column = at % sensor.width() - crop.x();
+            int row = at / sensor.width() - crop.y();
+            if (column < 0 || column >= crop.width() || row < 0 || row >= crop.height()) {
+                continue;
             }
+            int rgb = theme.faint;
+            if (panel == Panel.EVENTS) {
+                rgb = polarity[at] > 0 ? theme.on : theme.off;
+            } else if (segment[at] != 0 && panel == Panel.FLOW) {
+                rgb = flowColours.rgb(vx[at], vy[at], fullPxPerS);
+            } else if (segment[at] != 0 && panel == Panel.SEGMENTS) {
+                rgb = colours[exposedSegment[i]];
+            }
+            fill((top(k) + row * scale) * width + left(k) + column * scale, rgb);
         }
     }
 
@@ -340,7 +369,7 @@ public final class PictureSheet {
                     seen.vx(i) * perPxPerS, seen.vy(i) * perPxPerS));
             }
         }
-        SegmentArrow.paint(g, panel, arrows, theme.sensor);
+        SegmentArrow.paint(g, panel, arrows, theme.sensor, segmentNames);
     }
 
     /** Length of the arrow of the full speed, in screen pixels. */
@@ -348,8 +377,9 @@ public final class PictureSheet {
         return Math.min(100, panelWidth() / 4.0);
     }
 
-    private Graphics2D graphics() {
-        Graphics2D g = picture.createGraphics();
+    /** Draws with smooth edges. */
+    static Graphics2D graphics(BufferedImage image) {
+        Graphics2D g = image.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         return g;
@@ -357,7 +387,7 @@ public final class PictureSheet {
 
     /** Titles, legends and empty panels, which stay from picture to picture. */
     private void paintBase() {
-        Graphics2D g = graphics();
+        Graphics2D g = graphics(picture);
         g.setColor(new Color(theme.page));
         g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
         // what Mp4Film takes for ground; two columns, as two pixels share a colour

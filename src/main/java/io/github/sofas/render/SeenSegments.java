@@ -15,7 +15,8 @@ final class SeenSegments {
         size = 0;
     }
 
-    void add(int id, int x, int y, double vx, double vy) {
+    /** Adds a pixel; which of the segments it is of. */
+    int add(int id, int x, int y, double vx, double vy) {
         int last = places[id & places.length - 1];
         if (last >= size || ids[last] != id) {
             last = 0;
@@ -32,6 +33,7 @@ final class SeenSegments {
         sums[4 * last + 1] += y;
         sums[4 * last + 2] += vx;
         sums[4 * last + 3] += vy;
+        return last;
     }
 
     private void append(int id) {

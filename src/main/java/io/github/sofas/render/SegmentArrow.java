@@ -2,13 +2,11 @@ package io.github.sofas.render;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -20,16 +18,12 @@ import java.util.List;
 final class SegmentArrow {
     private static final int EDGE = 6;
     private static final int HEAD = 9;
-    private static final int NAME_HEIGHT = 18;
-    private static final int BASELINE = 14;
-    private static final int PADDING = 4;
     /** From the arrow's tail to the middle of the name. */
     private static final int NAME_DISTANCE = 14;
-    private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 13);
     /** Where a name may stand, as turns from behind the tail; the first that is free. */
     private static final double[] TURNS = {0, 0.17, -0.17, 0.33, -0.33, 0.5};
 
-    private final String name;
+    private final int id;
     private final Color colour;
     private final int pixels;
     private final double x;
@@ -39,7 +33,7 @@ final class SegmentArrow {
     private Line2D.Double line;
 
     SegmentArrow(int id, int rgb, int pixels, double x, double y, double lengthX, double lengthY) {
-        name = Integer.toString(id);
+        this.id = id;
         colour = new Color(rgb);
         this.pixels = pixels;
         this.x = x;
@@ -49,7 +43,7 @@ final class SegmentArrow {
     }
 
     /** Paints all of a panel; names of larger segments find their place first. */
-    static void paint(Graphics2D g, Rectangle panel, List<SegmentArrow> arrows, int ground) {
+    static void paint(Graphics2D g, Rectangle panel, List<SegmentArrow> arrows, int ground, SegmentNames names) {
         List<SegmentArrow> sorted = new ArrayList<>(arrows);
         sorted.sort(Comparator.comparingInt((SegmentArrow arrow) -> arrow.pixels).reversed());
         for (SegmentArrow each : sorted) {
@@ -61,19 +55,12 @@ final class SegmentArrow {
             g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
             draw(g, each.line);
         }
-        g.setStroke(new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        FontMetrics metrics = g.getFontMetrics(FONT);
         List<Rectangle> taken = new ArrayList<>();
         for (SegmentArrow each : sorted) {
-            Rectangle box = each.place(metrics.stringWidth(each.name) + 2 * PADDING, panel, sorted, taken);
+            BufferedImage name = names.of(each.id, each.colour.getRGB());
+            Rectangle box = each.place(name.getWidth(), name.getHeight(), panel, sorted, taken);
             taken.add(box);
-            // the ground's colour about the letters: a whole box would hide too much of the segment
-            Shape letters = FONT.createGlyphVector(g.getFontRenderContext(), each.name)
-                .getOutline(box.x + PADDING, box.y + BASELINE);
-            g.setColor(new Color(ground));
-            g.draw(letters);
-            g.setColor(each.colour);
-            g.fill(letters);
+            g.drawImage(name, box.x, box.y, null);
         }
     }
 
@@ -91,16 +78,16 @@ final class SegmentArrow {
     }
 
     /** The first free place for the name about the arrow's tail, else the one behind it; in the panel. */
-    private Rectangle place(int width, Rectangle panel, List<SegmentArrow> arrows, List<Rectangle> taken) {
+    private Rectangle place(int width, int height, Rectangle panel, List<SegmentArrow> arrows, List<Rectangle> taken) {
         double behind = Math.atan2(-lengthY, -lengthX);
         Rectangle first = null;
         for (int distance = NAME_DISTANCE; distance <= 2 * NAME_DISTANCE; distance += NAME_DISTANCE) {
             for (double turn : TURNS) {
                 double angle = behind + 2 * Math.PI * turn;
                 int left = (int) Math.round(line.x1 + distance * Math.cos(angle) - width / 2.0);
-                int top = (int) Math.round(line.y1 + distance * Math.sin(angle) - NAME_HEIGHT / 2.0);
+                int top = (int) Math.round(line.y1 + distance * Math.sin(angle) - height / 2.0);
                 Rectangle box = new Rectangle(Math.max(panel.x, Math.min(panel.x + panel.width - width, left)),
-                    Math.max(panel.y, Math.min(panel.y + panel.height - NAME_HEIGHT, top)), width, NAME_HEIGHT);
+                    Math.max(panel.y, Math.min(panel.y + panel.height - height, top)), width, height);
                 if (taken.stream().noneMatch(box::intersects) && arrows.stream().noneMatch(arrow ->
                         box.intersectsLine(arrow.line))) {
                     return box;

@@ -18,7 +18,7 @@ public class SegmentArrowTest {
     private static BufferedImage paint(SegmentArrow... arrows) {
         BufferedImage picture = new BufferedImage(300, 250, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = picture.createGraphics();
-        SegmentArrow.paint(g, PANEL, List.of(arrows), 0x000000);
+        SegmentArrow.paint(g, PANEL, List.of(arrows), 0x000000, new SegmentNames(0x000000));
         g.dispose();
         return picture;
     }

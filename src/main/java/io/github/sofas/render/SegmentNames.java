@@ -1,0 +1,59 @@
+package io.github.sofas.render;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.font.FontRenderContext;
+import java.awt.image.BufferedImage;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** The names that segments have in pictures. Each is drawn once and kept: letters are slow to draw. */
+final class SegmentNames {
+    static final int HEIGHT = 18;
+    private static final int BASELINE = 14;
+    private static final int PADDING = 4;
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 13);
+    /** Most that are kept; those shown longest ago go first. */
+    private static final int MOST = 256;
+
+    private final int ground;
+    private final Map<Name, BufferedImage> drawn = new LinkedHashMap<>(16, 0.75f, true) {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Name, BufferedImage> eldest) {
+            return size() > MOST;
+        }
+    };
+
+    /** A segment's id and colour. */
+    private record Name(int id, int rgb) {
+    }
+
+    /** Makes names for pictures of a ground, as 0xRRGGBB. */
+    SegmentNames(int ground) {
+        this.ground = ground;
+    }
+
+    /** The name of a segment in its colour, {@link #HEIGHT} high, without background. */
+    BufferedImage of(int id, int rgb) {
+        return drawn.computeIfAbsent(new Name(id, rgb), this::draw);
+    }
+
+    private BufferedImage draw(Name name) {
+        Shape letters = FONT.createGlyphVector(new FontRenderContext(null, true, false), Integer.toString(name.id))
+            .getOutline(PADDING, BASELINE);
+        BufferedImage image = new BufferedImage(PADDING + (int) Math.ceil(letters.getBounds2D().getMaxX()), HEIGHT,
+            BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = PictureSheet.graphics(image);
+        // the ground's colour about the letters: a whole box would hide too much of the segment
+        g.setColor(new Color(ground));
+        g.setStroke(new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(letters);
+        g.setColor(new Color(name.rgb));
+        g.fill(letters);
+        g.dispose();
+        return image;
+    }
+}
