@@ -9,17 +9,14 @@ import java.util.Arrays;
  * <p>Ours: the n x n projections are n speeds, evenly spaced in logarithm, by n directions; each holds the events of
  * the time in which its own velocity travels a number of pixels, so that slow and fast structures are looked for at
  * once and on equal terms; and cells are 2 x 2 px, which makes neighbouring velocities overlap and lets an accumulator
- * stay in the first-level cache. Events are added in blocks, projection by projection, for the same reason.
- *
- * <p>An accumulator is a torus whose width and height are 2^32 units of position each: an {@code int} wraps as the
- * torus does, and projecting a block is plain {@code int} arithmetic, which the compiler vectorises.
+ * stay in the first-level cache. Events are added in blocks ({@link VoteBlock}), projection by projection, for the same
+ * reason.
  */
 final class FlowPlane {
     /** Most events, and longest time, between two settlings: how late a structure may be found. */
     private static final int SETTLING = 256;
     private static final long SETTLING_US = 2_000;
-    /** Most events of a block. */
-    private static final int BLOCK = 1024;
+    private static final int BLOCK = VoteBlock.CAPACITY;
     /** Part of a ring's window after which it takes its events in, where they are no block yet. */
     private static final int WINDOW_PARTS = 16;
     /** A ring's time is in ticks in which it travels at most this part of a pixel, where a µs is not longer. */
@@ -72,18 +69,13 @@ final class FlowPlane {
     private long total;
     private boolean started;
 
-    // a block, gathered; a place more for an event that turns out to have been taken out
-    private final int[] blockX = new int[BLOCK + 1];
-    private final int[] blockY = new int[BLOCK + 1];
-    private final long[] blockUs = new long[BLOCK + 1];
-    private final int[] blockTicks = new int[BLOCK + 1];
-    private final int[] blockSign = new int[BLOCK + 1];
-    private final int[] blockCells = new int[BLOCK + 1];
+    private final VoteBlock block;
 
     FlowPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         n = p.flowProjections();
         columnBits = bits(sensorWidth, p);
         rowBits = bits(sensorHeight, p);
+        block = new VoteBlock(columnBits, rowBits);
         speed = new double[n];
         windowUs = new long[n];
         tickBits = new int[n];
@@ -104,8 +96,8 @@ final class FlowPlane {
             for (int j = 0; j < n; j++) {
                 // every other ring is turned by half a step, to fill the gaps
                 double angle = 2 * Math.PI * (j + 0.5 * (i & 1)) / n;
-                vx[i * n + j] = (int) Math.rint(pxPerTick * StrictMath.cos(angle) * unitsPerPx(columnBits));
-                vy[i * n + j] = (int) Math.rint(pxPerTick * StrictMath.sin(angle) * unitsPerPx(rowBits));
+                vx[i * n + j] = (int) Math.rint(pxPerTick * StrictMath.cos(angle) * VoteBlock.unitsPerPx(columnBits));
+                vy[i * n + j] = (int) Math.rint(pxPerTick * StrictMath.sin(angle) * VoteBlock.unitsPerPx(rowBits));
             }
         }
     }
@@ -114,11 +106,6 @@ final class FlowPlane {
     static int bits(int sensorSide, SofasParameters p) {
         int least = sensorSide / 2 + (int) p.flowTravelPx() / 2 + 3;
         return Integer.SIZE - Integer.numberOfLeadingZeros(least - 1);
-    }
-
-    /** Cells are two pixels wide. */
-    private static int unitsPerPx(int bits) {
-        return 1 << Integer.SIZE - 1 - bits;
     }
 
     /** Adds an event, which waits to be projected. */
@@ -183,7 +170,8 @@ final class FlowPlane {
                 settledUs[i] = nowUs;
                 while (end[i] != head) {
                     int to = end[i] + Math.min(BLOCK, head - end[i]);
-                    vote(i, gatherAll(end[i], to), 1);
+                    gather(end[i], to);
+                    vote(i, 1);
                     end[i] = to;
                 }
                 release(i, nowUs - windowUs[i]);
@@ -202,7 +190,8 @@ final class FlowPlane {
             while (to != end[ring] && to - from < BLOCK && isOver(to, limitUs)) {
                 to++;
             }
-            vote(ring, gatherAll(from, to), -1);
+            gather(from, to);
+            vote(ring, -1);
             from = to;
         }
         oldest[ring] = from;
@@ -212,83 +201,43 @@ final class FlowPlane {
         return timeUs[event & mask] < limitUs || head - event > MOST_EVENTS;
     }
 
-    /** Gathers a block of events, and returns how many there are. */
-    private int gatherAll(int from, int to) {
-        int size = 0;
+    private void gather(int from, int to) {
         for (int e = from; e != to; e++) {
-            size = gather(e, size);
+            gather(e);
         }
-        return size;
     }
 
-    /** Adds an event to the block unless it was taken out; returns how many are in the block. */
-    private int gather(int event, int size) {
+    /** Adds an event to the block unless it was taken out. */
+    private void gather(int event) {
         int i = event & mask;
-        blockX[size] = x[i] << Integer.SIZE - 1 - columnBits;
-        blockY[size] = y[i] << Integer.SIZE - 1 - rowBits;
-        blockUs[size] = timeUs[i] - epochUs;
-        blockSign[size] = sign[i];
-        return sign[i] == 0 ? size : size + 1;
+        if (sign[i] != 0) {
+            block.add(x[i], y[i], timeUs[i] - epochUs, sign[i]);
+        }
     }
 
     /** Adds the gathered events to the accumulators of a ring, or takes them out again with weight -1. */
-    private void vote(int ring, int size, int weight) {
-        int tick = tickBits[ring];
-        for (int i = 0; i < size; i++) {
-            blockTicks[i] = (int) (blockUs[i] >> tick);
-        }
+    private void vote(int ring, int weight) {
+        block.tick(tickBits[ring]);
         for (int k = ring * n; k < ring * n + n; k++) {
-            project(k, size);
-            metric[k] += vote(f[k], size, weight);
+            metric[k] += block.vote(f[k], vx[k], vy[k], weight);
         }
-        count[ring] += weight * size;
-    }
-
-    private void project(int k, int size) {
-        int[] px = blockX;
-        int[] py = blockY;
-        int[] ticks = blockTicks;
-        int[] cells = blockCells;
-        int vxk = vx[k];
-        int vyk = vy[k];
-        int toColumn = Integer.SIZE - columnBits;
-        int toRow = Integer.SIZE - rowBits;
-        int bits = columnBits;
-        for (int i = 0; i < size; i++) {
-            cells[i] = (py[i] - vyk * ticks[i] >>> toRow) << bits | px[i] - vxk * ticks[i] >>> toColumn;
-        }
-    }
-
-    /** Adds the block to an accumulator; returns the change of its metric, 2 w f + w² an event. */
-    private int vote(short[] accumulator, int size, int weight) {
-        int[] cells = blockCells;
-        int[] signs = blockSign;
-        int change = size;
-        for (int i = 0; i < size; i++) {
-            int c = cells[i];
-            int w = signs[i] * weight;
-            int before = accumulator[c];
-            change += 2 * w * before;
-            accumulator[c] = (short) (before + w);
-        }
-        // an event taken out changes the metric by -2 w f + w² of what it added: the same expression with -w
-        return change;
+        count[ring] += weight * block.size();
+        block.clear();
     }
 
     /** Takes events out of all projections, by number. */
     void takeOut(int[] events, int from, int size) {
         for (int i = 0; i < n; i++) {
-            int a = from;
-            while (a < from + size) {
-                int block = 0;
-                while (a < from + size && block < BLOCK) {
-                    int e = events[a++];
-                    if (e - oldest[i] >= 0 && e - end[i] < 0) {
-                        block = gather(e, block);
-                    }
+            for (int a = from; a < from + size; a++) {
+                int e = events[a];
+                if (e - oldest[i] >= 0 && e - end[i] < 0) {
+                    gather(e);
                 }
-                vote(i, block, -1);
+                if (block.isFull()) {
+                    vote(i, -1);
+                }
             }
+            vote(i, -1);
         }
         for (int a = from; a < from + size; a++) {
             sign[events[a] & mask] = 0;
@@ -308,8 +257,8 @@ final class FlowPlane {
     int cell(int k, int event) {
         int i = event & mask;
         int ticks = (int) (timeUs[i] - epochUs >> tickBits[k / n]);
-        int px = (x[i] << Integer.SIZE - 1 - columnBits) - vx[k] * ticks;
-        int py = (y[i] << Integer.SIZE - 1 - rowBits) - vy[k] * ticks;
+        int px = x[i] * VoteBlock.unitsPerPx(columnBits) - vx[k] * ticks;
+        int py = y[i] * VoteBlock.unitsPerPx(rowBits) - vy[k] * ticks;
         return py >>> Integer.SIZE - rowBits << columnBits | px >>> Integer.SIZE - columnBits;
     }
 
@@ -347,11 +296,11 @@ final class FlowPlane {
 
     /** Velocity of a projection in px/s. */
     double vx(int k) {
-        return vx[k] / (double) unitsPerPx(columnBits) / (1L << tickBits[k / n]) * 1e6;
+        return vx[k] / (double) VoteBlock.unitsPerPx(columnBits) / (1L << tickBits[k / n]) * 1e6;
     }
 
     double vy(int k) {
-        return vy[k] / (double) unitsPerPx(rowBits) / (1L << tickBits[k / n]) * 1e6;
+        return vy[k] / (double) VoteBlock.unitsPerPx(rowBits) / (1L << tickBits[k / n]) * 1e6;
     }
 
     /** Number of the oldest event that the projections of a speed hold. */

@@ -118,7 +118,7 @@ final class StructureSearch {
 
     /** Whether a structure was found, or pieces are left to look at. */
     private boolean extract(int k, TrackPlaneStack stack) {
-        int pieces = connect(plane.accumulator(k));
+        int pieces = connect(plane.accumulator(k), plane.metric(k));
         boolean found = false;
         if (pieces > 0) {
             sort(k, pieces);
@@ -146,14 +146,14 @@ final class StructureSearch {
     }
 
     /** Numbers the pieces: cells above mean + w sd of the occupied ones, and occupied cells connected to them. */
-    private int connect(short[] f) {
-        double threshold = threshold(f);
+    private int connect(short[] f, long squares) {
+        double threshold = threshold(f, squares);
         int columns = (1 << plane.columnBits()) - 1;
         int rows = f.length / (columns + 1) - 1;
         int pieces = 0;
         filled = 0;
         for (int c = 0; c < f.length; c++) {
-            if (label[c] != 0 || Math.abs(f[c]) < threshold) {
+            if (Math.abs(f[c]) < threshold || label[c] != 0) {
                 continue;
             }
             pieces++;
@@ -178,17 +178,15 @@ final class StructureSearch {
         return pieces;
     }
 
-    private double threshold(short[] f) {
+    /** Mean + w sd of the occupied cells, whose squares add up to the metric. */
+    private double threshold(short[] f, long squares) {
         long sum = 0;
-        long squares = 0;
         int occupied = 0;
+        // without a branch: half of the cells are occupied, here and there
         for (short value : f) {
             int v = Math.abs(value);
-            if (v != 0) {
-                occupied++;
-                sum += v;
-                squares += (long) v * v;
-            }
+            sum += v;
+            occupied += -v >>> Integer.SIZE - 1;
         }
         if (occupied == 0) {
             return Double.POSITIVE_INFINITY;
