@@ -6,7 +6,6 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.Sofas;
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -224,7 +223,7 @@ public final class PictureSheet {
                 g.drawString("no frame so far", left(k) + MARGIN, top(k) + 2 * MARGIN);
             }
             if (panel == Panel.SEGMENTS || panel == Panel.CONTOURS) {
-                paintArrows(g, k);
+                paintArrows(k);
             }
         }
         g.setClip(null);
@@ -357,7 +356,7 @@ public final class PictureSheet {
     }
 
     /** Names the segments, each with an arrow on the scale of the legend's bar. */
-    private void paintArrows(Graphics2D g, int k) {
+    private void paintArrows(int k) {
         List<SegmentArrow> arrows = new ArrayList<>();
         Rectangle panel = new Rectangle(left(k), top(k), panelWidth(), panelHeight());
         double perPxPerS = barLength() / fullPxPerS;
@@ -369,7 +368,7 @@ public final class PictureSheet {
                     seen.vx(i) * perPxPerS, seen.vy(i) * perPxPerS));
             }
         }
-        SegmentArrow.paint(g, panel, arrows, theme.sensor, segmentNames);
+        SegmentArrow.paint(picture, panel, arrows, theme.sensor, segmentNames);
     }
 
     /** Length of the arrow of the full speed, in screen pixels. */
@@ -430,8 +429,8 @@ public final class PictureSheet {
                 g.setColor(new Color(theme.text));
                 g.drawString(panel == Panel.SEGMENTS ? "a colour and a number: one moving structure"
                     : "where each structure's next events are expected", x, y + 12);
-                g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-                SegmentArrow.draw(g, new Line2D.Double(x + 2, y + 28, x + 2 + barLength(), y + 28));
+                SegmentArrow.draw(picture, picture.getRaster().getBounds(),
+                    new Line2D.Double(x + 2, y + 28, x + 2 + barLength(), y + 28), SegmentArrow.WIDTH, theme.text);
                 g.drawString(full, (int) (x + barLength() + 12), y + 33);
                 swatch(g, x, y + 38, theme.faint, panel == Panel.SEGMENTS ? "no segment" : "events");
                 break;

@@ -1,12 +1,10 @@
 package io.github.sofas.render;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -16,6 +14,9 @@ import java.util.List;
  * and the name stands behind it, unless that is beyond the panel's edge or in the way of others.
  */
 final class SegmentArrow {
+    static final double WIDTH = 2.5;
+    /** Of the ground's colour about an arrow. */
+    private static final double GROUND_WIDTH = 6;
     private static final int EDGE = 6;
     private static final int HEAD = 9;
     /** From the arrow's tail to the middle of the name. */
@@ -24,7 +25,7 @@ final class SegmentArrow {
     private static final double[] TURNS = {0, 0.17, -0.17, 0.33, -0.33, 0.5};
 
     private final int id;
-    private final Color colour;
+    private final int rgb;
     private final int pixels;
     private final double x;
     private final double y;
@@ -34,7 +35,7 @@ final class SegmentArrow {
 
     SegmentArrow(int id, int rgb, int pixels, double x, double y, double lengthX, double lengthY) {
         this.id = id;
-        colour = new Color(rgb);
+        this.rgb = rgb;
         this.pixels = pixels;
         this.x = x;
         this.y = y;
@@ -43,25 +44,24 @@ final class SegmentArrow {
     }
 
     /** Paints all of a panel; names of larger segments find their place first. */
-    static void paint(Graphics2D g, Rectangle panel, List<SegmentArrow> arrows, int ground, SegmentNames names) {
+    static void paint(BufferedImage picture, Rectangle panel, List<SegmentArrow> arrows, int ground,
+                      SegmentNames names) {
         List<SegmentArrow> sorted = new ArrayList<>(arrows);
         sorted.sort(Comparator.comparingInt((SegmentArrow arrow) -> arrow.pixels).reversed());
         for (SegmentArrow each : sorted) {
             each.line = each.within(panel);
-            g.setColor(new Color(ground));
-            g.setStroke(new BasicStroke(6, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            draw(g, each.line);
-            g.setColor(each.colour);
-            g.setStroke(new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            draw(g, each.line);
+            draw(picture, panel, each.line, GROUND_WIDTH, ground);
+            draw(picture, panel, each.line, WIDTH, each.rgb);
         }
+        Graphics2D g = picture.createGraphics();
         List<Rectangle> taken = new ArrayList<>();
         for (SegmentArrow each : sorted) {
-            BufferedImage name = names.of(each.id, each.colour.getRGB());
+            BufferedImage name = names.of(each.id, each.rgb);
             Rectangle box = each.place(name.getWidth(), name.getHeight(), panel, sorted, taken);
             taken.add(box);
             g.drawImage(name, box.x, box.y, null);
         }
+        g.dispose();
     }
 
     /** The arrow, moved so that it is in the panel where it is short enough. */
@@ -98,18 +98,60 @@ final class SegmentArrow {
         return first;
     }
 
-    /** An arrow from the line's first to its second point; short ones are only a line. */
-    static void draw(Graphics2D g, Line2D.Double line) {
-        Path2D path = new Path2D.Double(line);
+    /** Draws an arrow from the line's first to its second point; short ones are only a line. */
+    static void draw(BufferedImage picture, Rectangle clip, Line2D.Double line, double width, int rgb) {
+        drawLine(picture, clip, line, width, rgb);
         double length = Math.hypot(line.x2 - line.x1, line.y2 - line.y1);
         if (length >= 3) {
             double ux = (line.x2 - line.x1) / length;
             double uy = (line.y2 - line.y1) / length;
             double head = Math.min(HEAD, length);
-            path.moveTo(line.x2 - head * ux - head * 0.55 * uy, line.y2 - head * uy + head * 0.55 * ux);
-            path.lineTo(line.x2, line.y2);
-            path.lineTo(line.x2 - head * ux + head * 0.55 * uy, line.y2 - head * uy - head * 0.55 * ux);
+            for (double side = -0.55; side < 1; side += 1.1) {
+                drawLine(picture, clip, new Line2D.Double(line.x2 - head * (ux + side * uy),
+                    line.y2 - head * (uy - side * ux), line.x2, line.y2), width, rgb);
+            }
         }
-        g.draw(path);
+    }
+
+    /** Draws a line with round ends: every pixel as far as it lies within half the width of the line. */
+    private static void drawLine(BufferedImage picture, Rectangle clip, Line2D.Double line, double width, int rgb) {
+        int[] pixels = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();
+        double reach = width / 2 + 0.5;
+        double dx = line.x2 - line.x1;
+        double dy = line.y2 - line.y1;
+        double length = Math.hypot(dx, dy);
+        double left = Math.min(line.x1, line.x2) - reach;
+        double right = Math.max(line.x1, line.x2) + reach;
+        int bottom = (int) Math.min(clip.y + clip.height, Math.ceil(Math.max(line.y1, line.y2) + reach));
+        for (int y = (int) Math.max(clip.y, Math.min(line.y1, line.y2) - reach); y < bottom; y++) {
+            double fromY = y + 0.5 - line.y1;
+            // of each row the part that is near the line, however long that were
+            double middle = line.x1 + fromY * dx / dy;
+            double half = reach * length / Math.abs(dy);
+            boolean isFlat = !(half < length + 2 * reach);
+            int end = (int) Math.min(clip.x + clip.width, Math.ceil(isFlat ? right : Math.min(right, middle + half)));
+            int x = (int) Math.max(clip.x, isFlat ? left : Math.max(left, middle - half));
+            for (; x < end; x++) {
+                double fromX = x + 0.5 - line.x1;
+                double along = length == 0 ? 0 : (fromX * dx + fromY * dy) / (length * length);
+                along = Math.max(0, Math.min(1, along));
+                double covered = reach - distance(fromX - along * dx, fromY - along * dy);
+                if (covered > 0) {
+                    int at = y * picture.getWidth() + x;
+                    pixels[at] = blend(pixels[at], rgb, (int) (256 * Math.min(1, covered)));
+                }
+            }
+        }
+    }
+
+    /** Math.hypot guards against overflow, which takes long. */
+    private static double distance(double x, double y) {
+        return Math.sqrt(x * x + y * y);
+    }
+
+    private static int blend(int below, int above, int share) {
+        int redBlue = (below & 0xFF00FF) * (256 - share) + (above & 0xFF00FF) * share >>> 8;
+        int green = (below & 0xFF00) * (256 - share) + (above & 0xFF00) * share >>> 8;
+        return redBlue & 0xFF00FF | green & 0xFF00;
     }
 }

@@ -1,10 +1,9 @@
 package io.github.sofas.render;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.Shape;
+import java.awt.RenderingHints;
 import java.awt.font.FontRenderContext;
 import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
@@ -16,6 +15,9 @@ final class SegmentNames {
     private static final int BASELINE = 14;
     private static final int PADDING = 4;
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 13);
+    private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
+    /** Pixels about the letters. */
+    private static final int HALO = 2;
     /** Most that are kept; those shown longest ago go first. */
     private static final int MOST = 256;
 
@@ -42,17 +44,24 @@ final class SegmentNames {
     }
 
     private BufferedImage draw(Name name) {
-        Shape letters = FONT.createGlyphVector(new FontRenderContext(null, true, false), Integer.toString(name.id))
-            .getOutline(PADDING, BASELINE);
-        BufferedImage image = new BufferedImage(PADDING + (int) Math.ceil(letters.getBounds2D().getMaxX()), HEIGHT,
-            BufferedImage.TYPE_INT_ARGB);
+        String text = Integer.toString(name.id);
+        int width = (int) Math.ceil(FONT.getStringBounds(text, SMOOTH).getWidth());
+        BufferedImage image = new BufferedImage(width + 2 * PADDING, HEIGHT, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = PictureSheet.graphics(image);
+        g.setFont(FONT);
+        // else hinting makes bold letters of this size as thin as others
+        g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
         // the ground's colour about the letters: a whole box would hide too much of the segment
         g.setColor(new Color(ground));
-        g.setStroke(new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        g.draw(letters);
+        for (int dy = -HALO; dy <= HALO; dy++) {
+            for (int dx = -HALO; dx <= HALO; dx++) {
+                if (dx * dx + dy * dy <= HALO * (HALO + 1)) {
+                    g.drawString(text, PADDING + dx, BASELINE + dy);
+                }
+            }
+        }
         g.setColor(new Color(name.rgb));
-        g.fill(letters);
+        g.drawString(text, PADDING, BASELINE);
         g.dispose();
         return image;
     }

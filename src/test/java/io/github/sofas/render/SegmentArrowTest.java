@@ -3,7 +3,6 @@ package io.github.sofas.render;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -17,9 +16,7 @@ public class SegmentArrowTest {
 
     private static BufferedImage paint(SegmentArrow... arrows) {
         BufferedImage picture = new BufferedImage(300, 250, BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = picture.createGraphics();
-        SegmentArrow.paint(g, PANEL, List.of(arrows), 0x000000, new SegmentNames(0x000000));
-        g.dispose();
+        SegmentArrow.paint(picture, PANEL, List.of(arrows), 0x000000, new SegmentNames(0x000000));
         return picture;
     }
 
