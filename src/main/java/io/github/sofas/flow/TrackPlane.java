@@ -25,6 +25,8 @@ final class TrackPlane {
     private static final int LEAST_HIDDEN = 200;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
     private static final double ONE_SIDED = 0.7;
+    /** Shift of the end of the window by a newly measured change that is half taken over at once, in px. */
+    private static final double NEWS_PX = 1;
     /** Travel after which the other edges of a structure should have been found. */
     private static final double SETTLED_PX = 8;
 
@@ -32,7 +34,8 @@ final class TrackPlane {
     private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final Motion motion = new Motion();
-    private final Shape shape;
+    private Shape shape;
+    private final PathBend path = new PathBend();
 
     private int id;
     private long firstUs;
@@ -44,19 +47,16 @@ final class TrackPlane {
     private int sinceMeasured;
     private long measuredUs;
     private int measurements;
-    private double usualSize;
+    /** Live events a px of the lifetime: as many at any speed. */
+    private double usualDensity;
     private boolean hidden;
     private long hiddenUs;
+    /** When it was found, or found again. */
+    private long appearedUs;
 
-    // what the last measurement knew of the velocity: metric, and its loss per (px/s)²
-    private double metric;
-    private double lossXx;
-    private double lossXy;
-    private double lossYy;
-    /** Direction in which the velocity is known best, a unit vector. */
-    private double axisX;
-    private double axisY;
-    private boolean known;
+    private final MotionLoss loss = new MotionLoss();
+    /** Loss by another rotation that shows. */
+    private double turnLoss;
     /** Metric an event of all live events. */
     private double density;
     private double widen;
@@ -77,20 +77,23 @@ final class TrackPlane {
     void start(int newId, long nowUs, double vx, double vy) {
         id = newId;
         firstUs = nowUs;
+        appearedUs = nowUs;
         lastUs = nowUs;
         events = 0;
         live.clear();
         motion.set(nowUs, vx, vy);
         contour.project(live, motion);
         shape.start(motion);
+        path.start(nowUs);
         lifetimePx = p.lifetimePx();
         lifetimeUs = lifetime();
         sinceMeasured = 0;
         measuredUs = nowUs;
         measurements = 0;
-        usualSize = 0;
+        usualDensity = 0;
         hidden = false;
-        known = false;
+        loss.clear();
+        turnLoss = 0;
         density = 0;
         widen = 1;
         rawAlong = 0;
@@ -173,19 +176,22 @@ final class TrackPlane {
         }
     }
 
-    /** Time in which the structure travels its lifetime's pixels. */
+    /** Time in which the structure travels its lifetime's pixels, from a stand too if it speeds up. */
     private long lifetime() {
-        return (long) Math.min(p.maxLifetimeUs(), lifetimePx / Math.max(motion.speed(contour.radius()), 1e-3) * 1e6);
+        double speed = motion.speed(contour.radius());
+        double gained = StrictMath.hypot(motion.ax, motion.ay) * lifetimePx / 2;
+        return (long) Math.min(p.maxLifetimeUs(),
+            lifetimePx / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
     }
 
     /**
      * Whether the plane got too few events: its live events are those of the time in which it travels a number of
-     * pixels, so that they stay as many while it moves, whatever its speed.
+     * pixels, so that they stay as many a pixel while it moves, whatever its speed.
      */
-    private boolean isStarved(long nowUs) {
-        expire(nowUs);
-        usualSize = Math.max(live.size(), usualSize * 0.999 + live.size() * 0.001);
-        return live.size() < Math.max(LEAST_EVENTS, p.minShare() * usualSize);
+    private boolean isStarved() {
+        double density = live.size() / lifetimePx;
+        usualDensity = Math.max(density, usualDensity * 0.999 + density * 0.001);
+        return live.size() < LEAST_EVENTS || density < p.minShare() * usualDensity;
     }
 
     /**
@@ -193,7 +199,8 @@ final class TrackPlane {
      * hidden for longer than it remembers its contour, or has left the sensor.
      */
     boolean isGone(long nowUs, SensorSize sensor) {
-        if (!isStarved(nowUs)) {
+        expire(nowUs);
+        if (!isStarved()) {
             hidden = false;
             return false;
         }
@@ -224,7 +231,10 @@ final class TrackPlane {
         if (live.size() == 0) {
             return;
         }
-        if (live.size() >= LEAST_EVENTS && nowUs - live.oldestUs() > 10) {
+        if (isStarved()) {
+            // what is left is noise, or too little: the motion is held
+            forgetChange();
+        } else if (nowUs - live.oldestUs() > 10) {
             double half = (nowUs - live.oldestUs()) * 0.5e-6;
             motion.moveReference(live.oldestUs() + (nowUs - live.oldestUs()) / 2);
             int shared = load(fit);
@@ -285,7 +295,8 @@ final class TrackPlane {
         if (measurements == 0) {
             fit.frame(px);
         } else {
-            fit.frame(metric, lossXx, lossXy, lossYy, p.neighbourLoss(), p.minStepPx() * px, p.maxStepPx() * px);
+            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, p.neighbourLoss(), p.minStepPx() * px,
+                p.maxStepPx() * px);
             fit.widen(widen);
         }
         if (measurements < LEAST_FULL || measurements % FULL_EVERY == 0) {
@@ -295,13 +306,7 @@ final class TrackPlane {
         }
         // in a thinned sample events meet by so much less
         density = fit.metric() / fit.size() * live.size() / fit.size();
-        metric = fit.metric();
-        lossXx = fit.lossXx();
-        lossXy = fit.lossXy();
-        lossYy = fit.lossYy();
-        axisX = fit.axisX();
-        axisY = fit.axisY();
-        known = Math.max(lossXx, lossYy) * px * px > 0.01 * metric;
+        loss.take(fit);
         widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(fit, px, crossing) / px;
         if (crossing > p.maxShared()) {
@@ -318,6 +323,12 @@ final class TrackPlane {
         if (moved > 3 * p.steadyPx()) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
         }
+        double radius = contour.radius();
+        // as well known as turning would be that shows a little, so that not everything may be one body
+        loss.turn = turnLoss + p.flatChange() * loss.best() * radius * radius;
+        if (measurements > LEAST_FULL) {
+            path.follow(motion, p.pathPx());
+        }
         measurements++;
     }
 
@@ -331,21 +342,21 @@ final class TrackPlane {
         double stepX = fit.stepX();
         double stepY = fit.stepY();
         if (measurements > 0) {
-            double stiff = p.stiffness() * (1 + 10 * crossing) * metric / (px * px);
-            double xx = lossXx + stiff;
-            double yy = lossYy + stiff;
-            double det = xx * yy - lossXy * lossXy;
-            double rx = lossXx * stepX + lossXy * stepY;
-            double ry = lossXy * stepX + lossYy * stepY;
-            stepX = det > 0 ? (yy * rx - lossXy * ry) / det : 0;
-            stepY = det > 0 ? (xx * ry - lossXy * rx) / det : 0;
+            double stiff = p.stiffness() * (1 + 10 * crossing) * loss.metric / (px * px);
+            double xx = loss.xx + stiff;
+            double yy = loss.yy + stiff;
+            double det = xx * yy - loss.xy * loss.xy;
+            double rx = loss.xx * stepX + loss.xy * stepY;
+            double ry = loss.xy * stepX + loss.yy * stepY;
+            stepX = det > 0 ? (yy * rx - loss.xy * ry) / det : 0;
+            stepY = det > 0 ? (xx * ry - loss.xy * rx) / det : 0;
         }
         motion.vx += stepX;
         motion.vy += stepY;
         if (fit.isFlat()) {
-            double along = (motion.vy * axisX - motion.vx * axisY) * p.flatDecay();
-            motion.vx += along * axisY;
-            motion.vy -= along * axisX;
+            double along = (motion.vy * loss.axisX - motion.vx * loss.axisY) * p.flatDecay();
+            motion.vx += along * loss.axisY;
+            motion.vy -= along * loss.axisX;
         }
         return StrictMath.hypot(stepX, stepY);
     }
@@ -355,12 +366,13 @@ final class TrackPlane {
      * rotation. The velocity at the reference, the middle of the window, stays.
      */
     private void measureChange(MetricFit fit, double half) {
-        double bestKnown = Math.max(lossXx, lossYy) / (half * half);
+        double axisX = loss.axisX;
+        double axisY = loss.axisY;
         double acceleration = 2 / (half * half); // shifts both ends of the window by one pixel
         double h = acceleration * p.changePx();
         fit.fitAcceleration(axisX, axisY, h);
         double along = motion.ax * axisX + motion.ay * axisY + fit.step();
-        rawAlong += p.changeGain() * (along - rawAlong);
+        rawAlong += gain(along - rawAlong, acceleration) * (along - rawAlong);
         // measured in the middle of the window, half of it ago: by now some of it is over
         along = p.foresight() * believe(rawAlong, acceleration);
         double flatness = fit.flatness();
@@ -368,7 +380,7 @@ final class TrackPlane {
         double across = motion.ay * axisX - motion.ax * axisY + fit.step();
         rawAcross += p.changeGain() * (across - rawAcross);
         // along a straight edge nothing is known, of acceleration still less than of velocity
-        double shown = shareOf(flatness, flatness + p.flatChange());
+        double shown = shown(flatness);
         shownAcross = rawAcross * shown;
         across = p.foresight() * believe(rawAcross, acceleration) * shown;
         motion.ax = along * axisX - across * axisY;
@@ -377,11 +389,24 @@ final class TrackPlane {
         if (p.rotation() && radius > 1) {
             double rotation = 1 / (half * radius); // shifts both ends by one pixel at the radius
             fit.fitRotation(rotation * p.changePx());
-            rawOmega += p.changeGain() * (motion.omega + fit.step() - rawOmega);
-            // nor is the rotation of a disc known
-            double loss = fit.loss() * rotation * rotation;
-            motion.omega = believe(rawOmega, rotation) * shareOf(loss, loss + p.flatChange() * bestKnown);
+            turnLoss = fit.loss();
+            double omega = motion.omega + fit.step();
+            rawOmega += gain(omega - rawOmega, rotation) * (omega - rawOmega);
+            double shownOmega = shown(shareOf(turnLoss, loss.best() * radius * radius));
+            motion.omega = believe(rawOmega, rotation) * shownOmega
+                + path.omega(motion, p.pathPx()) * (1 - shownOmega);
         }
+    }
+
+    /** The share of a measured change to take over: the more, the farther it is from what noise could be. */
+    private double gain(double news, double perPx) {
+        double px = news / perPx;
+        return p.changeGain() + (1 - p.changeGain()) * px * px / (px * px + NEWS_PX * NEWS_PX);
+    }
+
+    /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */
+    private double shown(double share) {
+        return shareOf(share * share, share * share + p.flatChange() * p.flatChange());
     }
 
     /** A change that shifts the ends of the window by no more than the noise is none. */
@@ -407,10 +432,12 @@ final class TrackPlane {
     }
 
     /**
-     * Whether another plane describes the same structure: boxes that touch or nearly do, and one velocity that serves
+     * Whether another plane describes the same structure: boxes that touch or nearly do, and one motion that serves
      * both with little loss of metric.
+     *
+     * @param common is left with that motion
      */
-    boolean describesSameAs(TrackPlane other, long nowUs) {
+    boolean describesSameAs(TrackPlane other, CommonMotion common, long nowUs) {
         if (live.size() + other.live.size() == 0) {
             return false;
         }
@@ -418,7 +445,60 @@ final class TrackPlane {
         if (isPairedWith(other) && isSettled(nowUs) && other.isSettled(nowUs)) {
             gap = Math.max(gap, p.pairGapShare() * Math.max(contour.extent(), other.contour.extent()));
         }
-        return isNear(other, nowUs, gap) && agrees(other) && other.agrees(this) && sharesVelocity(other);
+        return isNear(other, nowUs, gap)
+            && (sharesVelocity(other, common, nowUs) || sharesMotion(other, common, nowUs));
+    }
+
+    private boolean sharesVelocity(TrackPlane other, CommonMotion common, long nowUs) {
+        return common.fitVelocity(motion, loss, other.motion, other.loss, nowUs) && common.lost() < p.mergeLoss();
+    }
+
+    /** Of a new structure it is not known yet whether it turns. */
+    private boolean sharesMotion(TrackPlane other, CommonMotion common, long nowUs) {
+        return measurements > LEAST_FULL && other.measurements > LEAST_FULL
+            && common.fit(motion, loss, other.motion, other.loss, nowUs) && common.lost() < p.mergeLoss();
+    }
+
+    MotionLoss loss() {
+        return loss;
+    }
+
+    boolean isHidden() {
+        return hidden;
+    }
+
+    /** Whether it was lost, and found again so short a time ago that more of its pieces may be found. */
+    boolean hasJustReappeared(long nowUs) {
+        return appearedUs > firstUs && !isSettled(nowUs);
+    }
+
+    /** Loads the contour, to be looked for on the shapes of others. */
+    void show(Reappearance reappearance) {
+        reappearance.load(live, contour);
+    }
+
+    /** Whether a new structure is this one, which was lost. */
+    boolean isRecognisedBy(Reappearance reappearance, long nowUs) {
+        double lostPx = Math.min(p.memoryPx(), StrictMath.hypot(motion.vx, motion.vy)
+            * (nowUs - hiddenUs + lifetimeUs) * 1e-6);
+        return reappearance.search(shape, motion, lostPx, nowUs) >= p.returnShare();
+    }
+
+    /** Whether a new structure lies where this one was seen: a piece of it. */
+    boolean hasPieceAt(Reappearance reappearance, long nowUs) {
+        return reappearance.overlap(shape, 0, 0, nowUs) >= p.returnShare();
+    }
+
+    /** Goes on as a structure that was lost and is found again in this new one. */
+    void continueAs(TrackPlane lost, Reappearance reappearance) {
+        appearedUs = motion.referenceUs;
+        id = lost.id;
+        firstUs = lost.firstUs;
+        events += lost.events;
+        Shape own = shape;
+        shape = lost.shape;
+        lost.shape = own;
+        shape.move(reappearance.shiftX(), reappearance.shiftY(), contour.motion(), memoryUs());
     }
 
     /** Whether one is dark and the other bright, as the front and the back of an object are. */
@@ -427,7 +507,7 @@ final class TrackPlane {
     }
 
     private boolean isSettled(long nowUs) {
-        return (nowUs - firstUs) * 1e-6 * motion.speed(contour.radius()) > SETTLED_PX;
+        return (nowUs - appearedUs) * 1e-6 * motion.speed(contour.radius()) > SETTLED_PX;
     }
 
     private boolean isNear(TrackPlane other, long nowUs, double gap) {
@@ -450,46 +530,16 @@ final class TrackPlane {
         return contour.motion().vy * (nowUs - contour.motion().referenceUs) * 1e-6;
     }
 
-    /** Whether the velocities agree along the axis that this plane knows best, and it knows that one well. */
-    private boolean agrees(TrackPlane other) {
-        double d = (motion.vx - other.motion.vx) * axisX + (motion.vy - other.motion.vy) * axisY;
-        double speed = Math.max(motion.speed(contour.radius()), other.motion.speed(other.contour.radius()));
-        return known && Math.abs(d) < p.mergeVelocity() * speed;
-    }
-
-    private boolean sharesVelocity(TrackPlane b) {
-        // the velocity that serves both best, (L1 + L2)^-1 (L1 v1 + L2 v2), and what each loses by it
-        double xx = lossXx + b.lossXx;
-        double xy = lossXy + b.lossXy;
-        double yy = lossYy + b.lossYy;
-        double det = xx * yy - xy * xy;
-        if (!(det > 0)) {
-            return false;
-        }
-        double rx = lossXx * motion.vx + lossXy * motion.vy + b.lossXx * b.motion.vx + b.lossXy * b.motion.vy;
-        double ry = lossXy * motion.vx + lossYy * motion.vy + b.lossXy * b.motion.vx + b.lossYy * b.motion.vy;
-        double vx = (yy * rx - xy * ry) / det;
-        double vy = (xx * ry - xy * rx) / det;
-        return lossAt(vx, vy) < p.mergeLoss() * metric && b.lossAt(vx, vy) < p.mergeLoss() * b.metric;
-    }
-
-    private double lossAt(double vx, double vy) {
-        double dx = motion.vx - vx;
-        double dy = motion.vy - vy;
-        return lossXx * dx * dx + 2 * lossXy * dx * dy + lossYy * dy * dy;
-    }
-
     /**
      * Takes over the events of another plane, and measures the motion of both together.
      *
+     * @param common the motion that serves both
      * @param spare a ring to put them in
      * @return the ring that this plane used until now
      */
-    LiveEvents merge(TrackPlane other, LiveEvents spare, MetricFit fit, long nowUs) {
-        double mine = live.size();
-        double theirs = other.live.size();
-        motion.vx = (motion.vx * mine + other.motion.vx * theirs) / (mine + theirs);
-        motion.vy = (motion.vy * mine + other.motion.vy * theirs) / (mine + theirs);
+    LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, MetricFit fit, long nowUs) {
+        motion.copyFrom(common);
+        rawOmega = motion.omega;
         spare.fillFrom(live, other.live);
         contour.clear(live);
         LiveEvents used = live;
@@ -497,7 +547,7 @@ final class TrackPlane {
         contour.project(live, motion);
         motion.moveCentre(contour.centreX(), contour.centreY());
         events += other.events;
-        usualSize = live.size();
+        usualDensity = live.size() / lifetimePx;
         recentre(fit, nowUs);
         return used;
     }

@@ -25,6 +25,8 @@ final class TrackPlaneStack {
     private TrackPlane[] planes;
     private final List<TrackPlane> unused = new ArrayList<>();
     private LiveEvents spare = new LiveEvents();
+    private final CommonMotion common = new CommonMotion();
+    private final Reappearance reappearance = new Reappearance();
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
@@ -112,29 +114,32 @@ final class TrackPlaneStack {
         }
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
-                if (planes[i].describesSameAs(planes[j], nowUs)) {
+                if (planes[i].describesSameAs(planes[j], common, nowUs)) {
                     merge(i, j, nowUs);
                 }
             }
         }
     }
 
-    /** The older of two planes takes over the younger. */
+    /** The older of two planes takes over the younger; both move along the common motion. */
     private void merge(int i, int j, long nowUs) {
         if (planes[i].id() > planes[j].id()) {
             TrackPlane older = planes[j];
             planes[j] = planes[i];
             planes[i] = older;
         }
-        spare = planes[i].merge(planes[j], spare, fit, nowUs);
+        spare = planes[i].merge(planes[j], common.motion(), spare, fit, nowUs);
         end(j, Segment.Fate.MERGED, planes[i].id());
     }
 
     private void end(int i, Segment.Fate fate, int mergedInto) {
-        TrackPlane plane = planes[i];
-        ended.accept(plane.segment(sensor.width(), sensor.height(), fate, mergedInto));
-        plane.clear();
-        unused.add(plane);
+        ended.accept(planes[i].segment(sensor.width(), sensor.height(), fate, mergedInto));
+        release(i);
+    }
+
+    private void release(int i) {
+        planes[i].clear();
+        unused.add(planes[i]);
         size--;
         planes[i] = planes[size];
         planes[size] = null;
@@ -153,10 +158,23 @@ final class TrackPlaneStack {
         return plane;
     }
 
-    /** Begins to track. */
+    /** Begins to track a new structure, or a lost one that is recognised in it. */
     void begin(TrackPlane plane, long nowUs) {
         plane.recentre(fit, nowUs);
         planes[size++] = plane;
+        plane.show(reappearance);
+        for (int i = 0; i < size - 1; i++) {
+            if (planes[i].isHidden() && planes[i].isRecognisedBy(reappearance, nowUs)) {
+                plane.continueAs(planes[i], reappearance);
+                release(i);
+                return;
+            }
+            if (planes[i].hasJustReappeared(nowUs) && planes[i].hasPieceAt(reappearance, nowUs)) {
+                common.fit(planes[i].motion(), planes[i].loss(), plane.motion(), plane.loss(), nowUs);
+                merge(i, size - 1, nowUs);
+                return;
+            }
+        }
     }
 
     List<Segment> segments() {

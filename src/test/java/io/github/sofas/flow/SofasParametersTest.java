@@ -50,19 +50,21 @@ public class SofasParametersTest {
         flatSigmas 2.0 2.0
         stiffness 0.002 0.002
         sharedScore 0.5 0.5
-        foresight 0.95 0.95
+        foresight 1.0 1.0
         maxBendPx 0.25 0.25
         flatChange 0.1 0.1
         rotation false true
         changePx 1.5 1.5
         changeGain 0.5 0.5
-        bendPx 0.1 0.1
+        bendPx 0.07 0.07
+        pathPx 64.0 64.0
         flatDecay 0.05 0.05
         maxShared 0.15 0.15
         maxTrackPlanes 64 64
-        minShare 0.2 0.2
+        minShare 0.2 0.3
+        returnShare 0.7 0.7
         mergeVelocity 0.15 0.15
-        mergeLoss 0.01 0.01
+        mergeLoss 0.02 0.02
         mergeGapShare 0.8 0.8
         pairGapShare 0.0 2.0
         """;

@@ -654,6 +654,16 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         set("bendPx", value);
     }
 
+    /** The parameter {@link SofasParameters#pathPx}. */
+    public float getPathPx() {
+        return (float) values.number("pathPx");
+    }
+
+    /** Sets {@link #getPathPx}. */
+    public void setPathPx(float value) {
+        set("pathPx", value);
+    }
+
     /** The parameter {@link SofasParameters#flatDecay}. */
     public float getFlatDecay() {
         return (float) values.number("flatDecay");
@@ -712,6 +722,26 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
 
     /** Right end of its slider. */
     public float getMaxMinShare() {
+        return 1f;
+    }
+
+    /** The parameter {@link SofasParameters#returnShare}. */
+    public float getReturnShare() {
+        return (float) values.number("returnShare");
+    }
+
+    /** Sets {@link #getReturnShare}. */
+    public void setReturnShare(float value) {
+        set("returnShare", value);
+    }
+
+    /** Left end of its slider. */
+    public float getMinReturnShare() {
+        return 0f;
+    }
+
+    /** Right end of its slider. */
+    public float getMaxReturnShare() {
         return 1f;
     }
 
