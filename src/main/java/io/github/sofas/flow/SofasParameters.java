@@ -102,6 +102,8 @@ import java.lang.reflect.RecordComponent;
  * @param maxTrackPlanes most track planes at once, 1 to 64 (ours, because memory is to be bounded)
  * @param minShare share of the expected events below which a track plane is removed, 0 to 1 (n of the paper, section
  *     Algorithm, without a number)
+ * @param crowdedShare share of the expected events below which a track plane's motion is held while another structure
+ *     may hide it, 0 to 1 (ours, because what is left is pulled by what hides it; {@code default} only)
  * @param returnShare share of a new structure that must lie on the contour of one that was lost to be that one again,
  *     0 to 1 (ours, because what turns round or stops is still the same; {@code default} only)
  * @param mergeVelocity share of the speed by which two merging track planes may differ, 0 to 1 (ours, because the
@@ -226,6 +228,9 @@ public record SofasParameters(
     int maxTrackPlanes,
     @Parameter(value = "share of the expected events below which a track plane is removed", min = 0, max = 1)
     double minShare,
+    @Parameter(value = "share of the expected events below which a motion is held while another structure may hide it",
+        min = 0, max = 1)
+    double crowdedShare,
     @Parameter(value = "share of a new structure that must lie on the contour of a lost one to be that one again",
         min = 0, max = 1)
     double returnShare,
@@ -264,7 +269,7 @@ public record SofasParameters(
             maxPerturbationDeg, contourThreshold, contourShare, memoryPx, maxMemoryUs, voteCellPx, sampleEvents,
             sampleDensity, neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight,
             maxBendPx, flatChange, changePx, changeGain, bendPx, pathPx, flatDecay, maxShared, maxTrackPlanes, minShare,
-            returnShare, mergeVelocity, mergeLoss, mergeGapShare, pairGapShare);
+            crowdedShare, returnShare, mergeVelocity, mergeLoss, mergeGapShare, pairGapShare);
         if (preset == Preset.DEFAULT) {
             requireInOrder("maxLifetimePx", maxLifetimePx, "lifetimePx", lifetimePx);
         }
@@ -311,7 +316,7 @@ public record SofasParameters(
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
             0.15, 0, 0, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, false, 1.5, 0.5, 0.07, 64,
-            0.05, 0.15, 64, 0.2, 0.7, 0.15, 0.02, 0.8, 0);
+            0.05, 0.15, 64, 0.2, 0.85, 0.7, 0.15, 0.02, 0.8, 0);
     }
 
     /** The most accurate preset, and the one to start from. */
@@ -319,7 +324,7 @@ public record SofasParameters(
         return new SofasParameters(Preset.DEFAULT,
             12, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
             0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, true,
-            1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.7, 0.15, 0.02, 0.8, 2);
+            1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.7, 0.15, 0.02, 0.8, 2);
     }
 
     /** Velocity of a projection at an angle, in px/s. */
@@ -560,6 +565,11 @@ public record SofasParameters(
     /** The same with another {@link #minShare}. */
     public SofasParameters withMinShare(double value) {
         return with("minShare", value);
+    }
+
+    /** The same with another {@link #crowdedShare}. */
+    public SofasParameters withCrowdedShare(double value) {
+        return with("crowdedShare", value);
     }
 
     /** The same with another {@link #returnShare}. */

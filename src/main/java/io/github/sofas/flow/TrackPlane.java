@@ -50,6 +50,7 @@ final class TrackPlane {
     /** Live events a px of the lifetime: as many at any speed. */
     private double usualDensity;
     private boolean hidden;
+    private boolean crowded;
     private long hiddenUs;
     /** When it was found, or found again. */
     private long appearedUs;
@@ -92,6 +93,7 @@ final class TrackPlane {
         measurements = 0;
         usualDensity = 0;
         hidden = false;
+        crowded = false;
         loss.clear();
         turnLoss = 0;
         density = 0;
@@ -185,13 +187,13 @@ final class TrackPlane {
     }
 
     /**
-     * Whether the plane got too few events: its live events are those of the time in which it travels a number of
-     * pixels, so that they stay as many a pixel while it moves, whatever its speed.
+     * Whether the plane has fewer events than a share of the usual: its live events are those of the time in which it
+     * travels a number of pixels, so that they stay as many a pixel while it moves, whatever its speed.
      */
-    private boolean isStarved() {
+    private boolean hasFewerThan(double share) {
         double density = live.size() / lifetimePx;
         usualDensity = Math.max(density, usualDensity * 0.999 + density * 0.001);
-        return live.size() < LEAST_EVENTS || density < p.minShare() * usualDensity;
+        return live.size() < LEAST_EVENTS || density < share * usualDensity;
     }
 
     /**
@@ -200,7 +202,7 @@ final class TrackPlane {
      */
     boolean isGone(long nowUs, SensorSize sensor) {
         expire(nowUs);
-        if (!isStarved()) {
+        if (!hasFewerThan(p.minShare())) {
             hidden = false;
             return false;
         }
@@ -231,8 +233,8 @@ final class TrackPlane {
         if (live.size() == 0) {
             return;
         }
-        if (isStarved()) {
-            // what is left is noise, or too little: the motion is held
+        if (hasFewerThan(crowded ? p.crowdedShare() : p.minShare())) {
+            // what is left is noise, too little, or what hides it: the motion is held
             forgetChange();
         } else if (nowUs - live.oldestUs() > 10) {
             double half = (nowUs - live.oldestUs()) * 0.5e-6;
@@ -499,6 +501,15 @@ final class TrackPlane {
         shape = lost.shape;
         lost.shape = own;
         shape.move(reappearance.shiftX(), reappearance.shiftY(), contour.motion(), memoryUs());
+    }
+
+    void setCrowded(boolean isCrowded) {
+        crowded = isCrowded;
+    }
+
+    /** Whether the boxes of two structures overlap, so that one may hide the other; new pieces may be of one. */
+    boolean overlaps(TrackPlane other, long nowUs) {
+        return !hidden && !other.hidden && isSettled(nowUs) && other.isSettled(nowUs) && isNear(other, nowUs, 0);
     }
 
     /** Whether one is dark and the other bright, as the front and the back of an object are. */

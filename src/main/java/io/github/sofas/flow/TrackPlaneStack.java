@@ -112,10 +112,25 @@ final class TrackPlaneStack {
                 planes[i].measureIfLate(fit, nowUs);
             }
         }
+        findCrowds(nowUs);
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
                 if (planes[i].describesSameAs(planes[j], common, nowUs)) {
                     merge(i, j, nowUs);
+                }
+            }
+        }
+    }
+
+    private void findCrowds(long nowUs) {
+        for (int i = 0; i < size; i++) {
+            planes[i].setCrowded(false);
+        }
+        for (int i = 0; i < size; i++) {
+            for (int j = i + 1; j < size; j++) {
+                if (planes[i].overlaps(planes[j], nowUs)) {
+                    planes[i].setCrowded(true);
+                    planes[j].setCrowded(true);
                 }
             }
         }

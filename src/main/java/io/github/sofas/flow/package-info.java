@@ -41,7 +41,7 @@
  *     does.
  * <li><b>The likeliest plane.</b> An event goes to the plane that predicts it at the greatest rate, not to the
  *     first of the stack; events that two planes claim measure neither. Four bars overtaking each other:
- *     intersection over union 0.49 before, 0.86 after.
+ *     intersection over union 0.49 before, 0.87 after.
  * <li><b>A memory of the shape.</b> A track plane remembers where its contour was for 64 px of travel, and takes an
  *     event there that lies on no contour, without measuring it; a structure that is hidden is waited for. Edges that
  *     come out from behind others would else be structures of their own: three movers that cross, intersection over
@@ -58,6 +58,8 @@
  *     neither more than 2 % of its metric: a straight edge knows only a part of its velocity, and agrees with any that
  *     has that part; the two ends of a body that turns have two velocities, and one motion. A short rotating bar: 3.6
  *     segments and a relative endpoint error of 36 % before, one segment and 4 % after.
+ * <li><b>Held while it is hidden.</b> Where boxes of structures overlap and a sixth of a structure's events is missing,
+ *     its motion is held: what is left is pulled along by what hides it. Four bars: 0.86 before, 0.91 after.
  * <li><b>Turning with the path.</b> What follows a bend turns with it. Of a body whose own rotation does not show, a
  *     disc's, the rotation is that of its path: the bob of a pendulum 5.1 % of its peak speed before, 2.3 % after.
  * <li><b>Known again.</b> A new structure that lies on the remembered contour of a lost one, were that farther back, is

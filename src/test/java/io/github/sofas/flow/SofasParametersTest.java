@@ -62,6 +62,7 @@ public class SofasParametersTest {
         maxShared 0.15 0.15
         maxTrackPlanes 64 64
         minShare 0.2 0.3
+        crowdedShare 0.85 0.85
         returnShare 0.7 0.7
         mergeVelocity 0.15 0.15
         mergeLoss 0.02 0.02

@@ -725,6 +725,26 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         return 1f;
     }
 
+    /** The parameter {@link SofasParameters#crowdedShare}. */
+    public float getCrowdedShare() {
+        return (float) values.number("crowdedShare");
+    }
+
+    /** Sets {@link #getCrowdedShare}. */
+    public void setCrowdedShare(float value) {
+        set("crowdedShare", value);
+    }
+
+    /** Left end of its slider. */
+    public float getMinCrowdedShare() {
+        return 0f;
+    }
+
+    /** Right end of its slider. */
+    public float getMaxCrowdedShare() {
+        return 1f;
+    }
+
     /** The parameter {@link SofasParameters#returnShare}. */
     public float getReturnShare() {
         return (float) values.number("returnShare");
