@@ -35,7 +35,7 @@ import net.sf.jaer.graphics.AEViewer;
 @Description("SOFAS: simultaneous optical flow and segmentation (Stoffregen and Kleeman 2017)")
 @DevelopmentStatus(DevelopmentStatus.Status.Stable)
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
-public class SofasFlow extends ParameterProperties {
+public class SofasFlow extends TrackPlaneProperties {
     private static final String DRAWING = "3: SOFAS drawing";
 
     private final PacketAdapter adapter = new PacketAdapter();

@@ -225,7 +225,7 @@ public class SofasFlowTest {
         for (RecordComponent component : SofasParameters.class.getRecordComponents()) {
             String name = component.getName();
             PropertyDescriptor property = properties().get(name);
-            assertTrue(name + " must be a property of ParameterProperties", property != null);
+            assertTrue(name + " must be a property", property != null);
             Object value = property.getReadMethod().invoke(filter);
             Object expected = component.getAccessor().invoke(SofasParameters.defaults());
             assertEquals(name, expected instanceof Double ? expected.toString() : String.valueOf(expected),
