@@ -18,11 +18,14 @@ import io.github.sofas.simulate.SimulatedSource;
 import io.github.sofas.simulate.SimulationOptions;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.lang.management.CompilationMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * A live stream from its first event to its result files: take a packet, label it, write its rows, again, until the
@@ -31,11 +34,15 @@ import java.util.Map;
 final class LiveRun {
     /** As many events as a transfer or datagram can hold. */
     private static final int BATCH = 8192;
-    /** After fewer, some of the engine is not compiled yet, and a first structure takes four times as long to find. */
-    private static final long WARM_UP_EVENTS = 1_000_000;
+    /** After less, some of the engine is not compiled yet, and a first structure takes four times as long to find. */
+    private static final int WARM_UP_ROUNDS = 12;
+    private static final long WARM_UP_EVENTS = 150_000;
+    private static final List<Scene> WARM_UP_SCENES = List.of(Scene.FOUR_BARS, Scene.HEXAGON, Scene.THREE_CROSSING);
     /** For methods that need far longer for so many. */
-    private static final long WARM_UP_MOST_NS = 2_500_000_000L;
+    private static final long WARM_UP_MOST_NS = 4_000_000_000L;
     private static final int WARM_UP_BATCH = 2048;
+    private static final long COMPILER_PAUSE_NS = 150_000_000;
+    private static final int COMPILER_LOOKS = 10;
 
     private final LiveSource source;
     private final MethodChoice method;
@@ -79,8 +86,10 @@ final class LiveRun {
     }
 
     /**
-     * Labels a simulated scene with as many events as a camera has at its busiest, and forgets it. A Java that has just
-     * started is ten times slower, and a camera does not wait until it has compiled what it runs.
+     * Labels simulated scenes with as many events as a camera has at its busiest, and forgets them. A Java that has
+     * just started is ten times slower, and a camera does not wait until it has compiled what it runs. Each scene
+     * begins with an engine that has seen nothing, as the camera's does: what was compiled for structures that are
+     * followed would be thrown away at the first events of a stream.
      *
      * @throws IOException never: nothing is written
      */
@@ -90,18 +99,36 @@ final class LiveRun {
             .withDvs(DvsModel.davis().withThresholds(0.05, 0.05));
         EventBatch batch = new EventBatch(WARM_UP_BATCH);
         FlowOutput flow = new FlowOutput(WARM_UP_BATCH);
-        EventLabeller other = method.make(sensor, ended -> { });
-        long labelled = 0;
-        try (SimulatedSource scene = new SimulatedSource(Scene.FOUR_BARS, options);
-                FlowCsvWriter nowhere = new FlowCsvWriter(OutputStream.nullOutputStream())) {
-            while (labelled < WARM_UP_EVENTS && System.nanoTime() - startNs < WARM_UP_MOST_NS && scene.next(batch)) {
-                other.process(batch, flow);
-                nowhere.write(batch, flow);
-                labelled += batch.size();
+        for (int round = 0; round < WARM_UP_ROUNDS && System.nanoTime() - startNs < WARM_UP_MOST_NS; round++) {
+            EventLabeller other = method.make(sensor, ended -> { });
+            long labelled = 0;
+            Scene shown = WARM_UP_SCENES.get(round % WARM_UP_SCENES.size());
+            try (SimulatedSource scene = new SimulatedSource(shown, options);
+                    FlowCsvWriter nowhere = new FlowCsvWriter(OutputStream.nullOutputStream())) {
+                while (labelled < WARM_UP_EVENTS && System.nanoTime() - startNs < WARM_UP_MOST_NS
+                        && scene.next(batch)) {
+                    other.process(batch, flow);
+                    nowhere.write(batch, flow);
+                    labelled += batch.size();
+                }
             }
         }
+        awaitCompiler();
         // Now, not under the first events; from here on next to nothing is allocated.
         System.gc();
+    }
+
+    /** Waits until nothing more is compiled, for a while. */
+    private static void awaitCompiler() {
+        CompilationMXBean compiler = ManagementFactory.getCompilationMXBean();
+        if (compiler == null || !compiler.isCompilationTimeMonitoringSupported()) {
+            return;
+        }
+        long before = -1;
+        for (int i = 0; i < COMPILER_LOOKS && before != compiler.getTotalCompilationTime(); i++) {
+            before = compiler.getTotalCompilationTime();
+            LockSupport.parkNanos(COMPILER_PAUSE_NS);
+        }
     }
 
     /**
