@@ -32,8 +32,6 @@ import java.util.concurrent.locks.LockSupport;
  * source is stopped or fails.
  */
 final class LiveRun {
-    /** As many events as a transfer or datagram can hold. */
-    private static final int BATCH = 8192;
     /** After less, some of the engine is not compiled yet, and a first structure takes four times as long to find. */
     private static final int WARM_UP_ROUNDS = 12;
     private static final long WARM_UP_EVENTS = 150_000;
@@ -143,10 +141,12 @@ final class LiveRun {
             long startNs;
             try (FlowCsvWriter csv = new FlowCsvWriter(results.create(RecordingRun.flowFile(out, name)));
                     Aedat2Writer recorder = record == null ? null
-                        : new Aedat2Writer(results.create(record), source.chip())) {
+                        : new Aedat2Writer(results.create(record), source.chip());
+                    LiveWriter writer = new LiveWriter(csv, recorder)) {
                 startNs = System.nanoTime();
                 start.start();
-                failure = label(csv, recorder);
+                failure = label(writer);
+                outputNs = writer.finish();
             }
             source.stop();
             segments.addAll(labeller.segments());
@@ -158,10 +158,11 @@ final class LiveRun {
     }
 
     /** Labels to the end, and returns what ended it; null where it was asked to end. */
-    private EventSourceException label(FlowCsvWriter csv, Aedat2Writer recorder) throws IOException {
-        EventBatch batch = new EventBatch(BATCH);
-        FlowOutput flow = new FlowOutput(BATCH);
+    private EventSourceException label(LiveWriter writer) throws IOException {
+        Thread.currentThread().setPriority(Thread.MAX_PRIORITY);
         while (true) {
+            LiveWriter.Labelled next = writer.empty();
+            EventBatch batch = next.events;
             try {
                 if (!source.next(batch)) {
                     return null;
@@ -170,22 +171,18 @@ final class LiveRun {
                 return e;
             }
             long beforeEngine = System.nanoTime();
-            labeller.process(batch, flow);
-            long beforeOutput = System.nanoTime();
-            engineNs += beforeOutput - beforeEngine;
+            labeller.process(batch, next.flow);
+            long afterEngine = System.nanoTime();
+            engineNs += afterEngine - beforeEngine;
             if (events == 0) {
                 firstTimeUs = batch.timeUs[0];
             }
             lastTimeUs = batch.timeUs[batch.size() - 1];
             events += batch.size();
-            int withFlow = RecordingRun.countWithFlow(batch, flow);
+            int withFlow = RecordingRun.countWithFlow(batch, next.flow);
             eventsWithFlow += withFlow;
-            status.labelled(batch.size(), withFlow, beforeOutput - source.receivedNs(), labeller);
-            csv.write(batch, flow);
-            if (recorder != null) {
-                recorder.write(batch);
-            }
-            outputNs += System.nanoTime() - beforeOutput;
+            status.labelled(batch.size(), withFlow, afterEngine - source.receivedNs(), labeller);
+            writer.handOn(next);
         }
     }
 
