@@ -29,6 +29,8 @@ final class TrackPlane {
     private static final double NEWS_PX = 1;
     /** Travel after which the other edges of a structure should have been found. */
     private static final double SETTLED_PX = 8;
+    /** Travel after which pieces of one structure should have merged. */
+    private static final double WHOLE_PX = 32;
 
     private SofasParameters p;
     private LiveEvents live = new LiveEvents();
@@ -509,7 +511,8 @@ final class TrackPlane {
 
     /** Whether the boxes of two structures overlap, so that one may hide the other; new pieces may be of one. */
     boolean overlaps(TrackPlane other, long nowUs) {
-        return !hidden && !other.hidden && isSettled(nowUs) && other.isSettled(nowUs) && isNear(other, nowUs, 0);
+        return !hidden && !other.hidden && hasTravelled(nowUs, WHOLE_PX) && other.hasTravelled(nowUs, WHOLE_PX)
+            && isNear(other, nowUs, 0);
     }
 
     /** Whether one is dark and the other bright, as the front and the back of an object are. */
@@ -518,7 +521,11 @@ final class TrackPlane {
     }
 
     private boolean isSettled(long nowUs) {
-        return (nowUs - appearedUs) * 1e-6 * motion.speed(contour.radius()) > SETTLED_PX;
+        return hasTravelled(nowUs, SETTLED_PX);
+    }
+
+    private boolean hasTravelled(long nowUs, double px) {
+        return (nowUs - appearedUs) * 1e-6 * motion.speed(contour.radius()) > px;
     }
 
     private boolean isNear(TrackPlane other, long nowUs, double gap) {
