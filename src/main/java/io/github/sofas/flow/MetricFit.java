@@ -276,7 +276,7 @@ final class MetricFit {
         double less2 = metricAt(h2 * frameY, -h2 * frameX);
         double more2 = metricAt(-h2 * frameY, h2 * frameX);
         m[4] = here;
-        metric = Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2)));
+        metric = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
         solve((more1 - less1) / 2, (more2 - less2) / 2, less1 + more1 - 2 * here, less2 + more2 - 2 * here, 0, sigmas);
     }
 
@@ -289,7 +289,7 @@ final class MetricFit {
         double angle = 0.5 * StrictMath.atan2(-2 * hab, hbb - haa);
         double ca = StrictMath.cos(angle);
         double sa = StrictMath.sin(angle);
-        double floor = -2 * sigmas * Math.sqrt(metric);
+        double floor = floor(metric, sigmas);
         double s1 = stepTo(mean - root, ga * ca + gb * sa, floor);
         double s2 = stepTo(mean + root, gb * ca - ga * sa, floor);
         double a = (s1 * ca - s2 * sa) * h1;
@@ -313,7 +313,7 @@ final class MetricFit {
         axisY = StrictMath.sin(best);
     }
 
-    /** Greatest of the nine metrics, in votes squared. */
+    /** Greatest of the metrics fitted, in votes squared; 0 where all are less. */
     double metric() {
         return metric;
     }
@@ -389,9 +389,14 @@ final class MetricFit {
         return Math.sqrt(dif * dif + lossXy * lossXy);
     }
 
+    /** Curvature that so many standard deviations of a metric make; where votes only cancel, there are none. */
+    private static double floor(double metric, double sigmas) {
+        return -2 * sigmas * Math.sqrt(Math.max(0, metric));
+    }
+
     private static double stepTo(double curvature, double gradient, double floor) {
-        if (curvature > floor) {
-            // not a top: uphill only where the slope is clear
+        if (curvature >= floor) {
+            // not a top, or no events that meet: uphill only where the slope is clear
             return Math.abs(gradient) > -floor ? Math.signum(gradient) : 0;
         }
         return Math.max(-1.5, Math.min(1.5, -gradient / curvature));
@@ -422,7 +427,7 @@ final class MetricFit {
         double here = m[4];
         double more = metric(alongX, s, alongY, s);
         double curvature = less + more - 2 * here;
-        double floor = -2 * CHANGE_SIGMAS * Math.sqrt(Math.max(here, Math.max(less, more)));
+        double floor = floor(Math.max(here, Math.max(less, more)), CHANGE_SIGMAS);
         step = stepTo(curvature, (more - less) / 2, floor) * h;
         loss = -Math.min(curvature, 0) / 2 / (h * h);
     }

@@ -410,7 +410,8 @@ final class TrackPlane {
 
     /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */
     private double shown(double share) {
-        return shareOf(share * share, share * share + p.flatChange() * p.flatChange());
+        double ratio = p.flatChange() / share;
+        return share > 0 ? 1 / (1 + ratio * ratio) : 0;
     }
 
     /** A change that shifts the ends of the window by no more than the noise is none. */

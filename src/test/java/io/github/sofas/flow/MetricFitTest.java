@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.PlainPlane.Cell;
 import java.util.ArrayList;
@@ -188,5 +189,46 @@ public class MetricFitTest {
         assertEquals(h * (down - up) / 2 / (2 * here - up - down), fit.stepY(), 1e-9);
         assertEquals((2 * here - left - right) / 2 / (h * h), fit.lossXx(), 1e-6);
         assertEquals(right, fit.metric(), 0);
+    }
+
+    private static void assertNothingIsKnown(MetricFit fit) {
+        assertEquals(0, fit.metric(), 0);
+        assertEquals(0, fit.stepX(), 0);
+        assertEquals(0, fit.stepY(), 0);
+        assertEquals(0, fit.lossXx(), 0);
+        assertEquals(0, fit.lossYy(), 0);
+        fit.fitAcceleration(1, 0, 1);
+        assertEquals(0, fit.step(), 0);
+        fit.fitRotation(1);
+        assertEquals(0, fit.step(), 0);
+    }
+
+    @Test
+    public void eventsThatNeverMeetTellNoVelocity() {
+        MetricFit fit = new MetricFit(32, 24, 1, 16);
+        fit.add(4, 4, -1, 0, 0, 1);
+        fit.add(24, 18, 1, 0, 0, 1);
+        fit.frame(1);
+        fit.fit(0, 0, 2);
+        assertNothingIsKnown(fit);
+        fit.fitCross(2);
+        assertNothingIsKnown(fit);
+    }
+
+    @Test
+    public void eventsThatOnlyCancelTellAFiniteVelocity() {
+        // of opposite polarity at one place and time: at any velocity the metric is less than none
+        MetricFit fit = new MetricFit(32, 24, 1, 16);
+        fit.add(4, 4, 0.5f, 1, 1, 1);
+        fit.add(4, 4, 0.5f, 1, 1, -1);
+        fit.frame(1);
+        fit.fitCross(2);
+        assertEquals(0, fit.metric(), 0);
+        fit.fitAcceleration(1, 0, 1);
+        assertTrue(Double.isFinite(fit.step()));
+        fit.frame(fit.metric(), 1, 0, 1, 0.04, 0.5, 4);
+        fit.fitCross(2);
+        assertTrue(Double.isFinite(fit.stepX()));
+        assertTrue(Double.isFinite(fit.stepY()));
     }
 }
