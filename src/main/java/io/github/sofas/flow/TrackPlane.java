@@ -25,8 +25,6 @@ final class TrackPlane {
     private static final int LEAST_HIDDEN = 200;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
     private static final double ONE_SIDED = 0.7;
-    /** Shift of the end of the window by a newly measured change that is half taken over at once, in px. */
-    private static final double NEWS_PX = 1;
     /** Travel after which the other edges of a structure should have been found. */
     private static final double SETTLED_PX = 8;
     /** Travel after which pieces of one structure should have merged. */
@@ -37,7 +35,7 @@ final class TrackPlane {
     private final Contour contour;
     private final Motion motion = new Motion();
     private Shape shape;
-    private final PathBend path = new PathBend();
+    private final MotionChange change = new MotionChange();
 
     private int id;
     private long firstUs;
@@ -58,17 +56,9 @@ final class TrackPlane {
     private long appearedUs;
 
     private final MotionLoss loss = new MotionLoss();
-    /** Loss by another rotation that shows. */
-    private double turnLoss;
     /** Metric an event of all live events. */
     private double density;
     private double widen;
-    // changes of motion as measured, before what may be noise is left out
-    private double rawAlong;
-    private double rawAcross;
-    private double rawOmega;
-    /** The change across as far as it is known. */
-    private double shownAcross;
 
     TrackPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
         this.p = p;
@@ -87,7 +77,7 @@ final class TrackPlane {
         motion.set(nowUs, vx, vy);
         contour.project(live, motion);
         shape.start(motion);
-        path.start(nowUs);
+        change.start(nowUs);
         lifetimePx = p.lifetimePx();
         lifetimeUs = lifetime();
         sinceMeasured = 0;
@@ -97,13 +87,8 @@ final class TrackPlane {
         hidden = false;
         crowded = false;
         loss.clear();
-        turnLoss = 0;
         density = 0;
         widen = 1;
-        rawAlong = 0;
-        rawAcross = 0;
-        rawOmega = 0;
-        shownAcross = 0;
     }
 
     int id() {
@@ -237,7 +222,7 @@ final class TrackPlane {
         }
         if (hasFewerThan(crowded ? p.crowdedShare() : p.minShare())) {
             // what is left is noise, too little, or what hides it: the motion is held
-            forgetChange();
+            change.hold(motion);
         } else if (nowUs - live.oldestUs() > 10) {
             double half = (nowUs - live.oldestUs()) * 0.5e-6;
             motion.moveReference(live.oldestUs() + (nowUs - live.oldestUs()) / 2);
@@ -314,10 +299,10 @@ final class TrackPlane {
         widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(fit, px, crossing) / px;
         if (crossing > p.maxShared()) {
-            forgetChange();
+            change.hold(motion);
         } else if (measurements >= 2 && moved < 1) {
-            measureChange(fit, half);
-            double bend = StrictMath.hypot(rawAlong, shownAcross) * half * half / 2;
+            change.measure(fit, motion, loss, half, contour.radius(), p);
+            double bend = change.bendPx(half);
             if (bend > p.maxBendPx()) {
                 lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
             } else if (moved < p.steadyPx() && bend < 0.7 * p.maxBendPx()) {
@@ -329,9 +314,9 @@ final class TrackPlane {
         }
         double radius = contour.radius();
         // as well known as turning would be that shows a little, so that not everything may be one body
-        loss.turn = turnLoss + p.flatChange() * loss.best() * radius * radius;
+        loss.turn = change.turnLoss() + p.flatChange() * loss.best() * radius * radius;
         if (measurements > LEAST_FULL) {
-            path.follow(motion, p.pathPx());
+            change.follow(motion, p);
         }
         measurements++;
     }
@@ -363,77 +348,6 @@ final class TrackPlane {
             motion.vy -= along * loss.axisX;
         }
         return StrictMath.hypot(stepX, stepY);
-    }
-
-    /**
-     * Measures how the motion changes over the window: acceleration along and across the axis that is known best, and
-     * rotation. The velocity at the reference, the middle of the window, stays.
-     */
-    private void measureChange(MetricFit fit, double half) {
-        double axisX = loss.axisX;
-        double axisY = loss.axisY;
-        double acceleration = 2 / (half * half); // shifts both ends of the window by one pixel
-        double h = acceleration * p.changePx();
-        fit.fitAcceleration(axisX, axisY, h);
-        double along = motion.ax * axisX + motion.ay * axisY + fit.step();
-        rawAlong += gain(along - rawAlong, acceleration) * (along - rawAlong);
-        // measured in the middle of the window, half of it ago: by now some of it is over
-        along = p.foresight() * believe(rawAlong, acceleration);
-        double flatness = fit.flatness();
-        fit.fitAcceleration(-axisY, axisX, h);
-        double across = motion.ay * axisX - motion.ax * axisY + fit.step();
-        rawAcross += p.changeGain() * (across - rawAcross);
-        // along a straight edge nothing is known, of acceleration still less than of velocity
-        double shown = shown(flatness);
-        shownAcross = rawAcross * shown;
-        across = p.foresight() * believe(rawAcross, acceleration) * shown;
-        motion.ax = along * axisX - across * axisY;
-        motion.ay = along * axisY + across * axisX;
-        double radius = contour.radius();
-        if (p.rotation() && radius > 1) {
-            double rotation = 1 / (half * radius); // shifts both ends by one pixel at the radius
-            fit.fitRotation(rotation * p.changePx());
-            turnLoss = fit.loss();
-            double omega = motion.omega + fit.step();
-            rawOmega += gain(omega - rawOmega, rotation) * (omega - rawOmega);
-            double shownOmega = shown(shareOf(turnLoss, loss.best() * radius * radius));
-            motion.omega = believe(rawOmega, rotation) * shownOmega
-                + path.omega(motion, p.pathPx()) * (1 - shownOmega);
-        }
-    }
-
-    /** The share of a measured change to take over: the more, the farther it is from what noise could be. */
-    private double gain(double news, double perPx) {
-        double px = news / perPx;
-        return p.changeGain() + (1 - p.changeGain()) * px * px / (px * px + NEWS_PX * NEWS_PX);
-    }
-
-    /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */
-    private double shown(double share) {
-        double ratio = p.flatChange() / share;
-        return share > 0 ? 1 / (1 + ratio * ratio) : 0;
-    }
-
-    /** A change that shifts the ends of the window by no more than the noise is none. */
-    private double believe(double value, double perPx) {
-        double px = value / perPx;
-        return value * shareOf(px * px, px * px + p.bendPx() * p.bendPx());
-    }
-
-    /** A share of what is known; where nothing is known, none. */
-    private static double shareOf(double part, double whole) {
-        return whole > 0 ? part / whole : 0;
-    }
-
-    /** While another structure crosses, the motion is held steady. */
-    private void forgetChange() {
-        rawAlong *= 0.8;
-        rawAcross *= 0.8;
-        shownAcross *= 0.8;
-        rawOmega *= 0.8;
-        motion.ax *= 0.8;
-        motion.ay *= 0.8;
-        motion.omega *= 0.8;
     }
 
     /**
@@ -558,7 +472,7 @@ final class TrackPlane {
      */
     LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, MetricFit fit, long nowUs) {
         motion.copyFrom(common);
-        rawOmega = motion.omega;
+        change.setOmega(motion.omega);
         spare.fillFrom(live, other.live);
         contour.clear(live);
         LiveEvents used = live;
