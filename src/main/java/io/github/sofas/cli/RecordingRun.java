@@ -31,7 +31,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * One recording from its first event to its result files: read a batch, label it, write its rows, again.
+ * One recording from its first event to its result files: read a batch, label it, write its rows, again
+ * ({@link BatchPipeline}).
  *
  * @param recording what is read
  * @param options how it is read
@@ -42,9 +43,6 @@ import java.util.stream.Stream;
  */
 record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name,
                     String reportedCommand) {
-    /** Events labelled at once: few enough to stay in a core's cache from reader to writer. */
-    private static final int BATCH = 4096;
-
     /**
      * What came of it.
      *
@@ -119,10 +117,11 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     /**
      * Runs. A damaged recording has results too, of every event before the damage.
      *
+     * @param threads how many work, 1 to {@value BatchPipeline#MOST_THREADS}; results do not depend on it
      * @throws EventSourceException where the recording cannot be opened; there are no results then
      * @throws IOException where the results cannot be written; there are none then
      */
-    Outcome run(RunProgress progress) throws EventSourceException, IOException {
+    Outcome run(RunProgress progress, int threads) throws EventSourceException, IOException, InterruptedException {
         long start = System.nanoTime();
         String request = request();
         try (RecordingReader reader = Recordings.open(recording, options);
@@ -130,49 +129,18 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor());
             List<Segment> segments = new ArrayList<>();
             EventLabeller labeller = method.make(reader.sensor(), segments::add);
-            EventBatch batch = new EventBatch(BATCH);
-            FlowOutput flow = new FlowOutput(BATCH);
-            EventSourceException damage = null;
-            long eventsWithFlow = 0;
-            long bytesShown = 0;
-            long decodeNs = System.nanoTime() - start;
-            long engineNs = 0;
-            long outputNs = 0;
+            Steps steps = new Steps(reader, labeller, report, progress);
+            steps.decodeNs = System.nanoTime() - start;
             try (FlowCsvWriter csv = new FlowCsvWriter(results.create(flowFile(out, name)))) {
-                while (true) {
-                    long beforeDecode = System.nanoTime();
-                    boolean more = false;
-                    try {
-                        more = reader.next(batch);
-                    } catch (EventSourceException e) {
-                        damage = e;
-                    }
-                    long beforeEngine = System.nanoTime();
-                    decodeNs += beforeEngine - beforeDecode;
-                    if (!more) {
-                        break;
-                    }
-                    labeller.process(batch, flow);
-                    long beforeOutput = System.nanoTime();
-                    engineNs += beforeOutput - beforeEngine;
-                    csv.write(batch, flow);
-                    if (report != null) {
-                        report.add(batch, flow);
-                    }
-                    outputNs += System.nanoTime() - beforeOutput;
-                    int withFlow = countWithFlow(batch, flow);
-                    eventsWithFlow += withFlow;
-                    long bytesRead = reader.bytesRead();
-                    progress.add(bytesRead - bytesShown, batch.size(), withFlow);
-                    bytesShown = bytesRead;
-                }
+                steps.csv = csv;
+                BatchPipeline.run(steps, threads);
             }
             segments.addAll(labeller.segments());
-            RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9, decodeNs / 1e9,
-                engineNs / 1e9, outputNs / 1e9);
-            RecordingSummary read = Summaries.of(recording, reader, damage);
+            RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9,
+                steps.decodeNs / 1e9, steps.engineNs / 1e9, steps.outputNs / 1e9);
+            RecordingSummary read = Summaries.of(recording, reader, steps.damage);
             RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
-                method.parameters(), eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
+                method.parameters(), steps.eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
                 peakHeapBytes());
             if (report != null) {
                 try (OutputStream file = results.create(reportFile())) {
@@ -181,7 +149,64 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             }
             writeSegmentsAndSummary(results, out, name, summary);
             results.commit();
-            return new Outcome(summary, damage);
+            return new Outcome(summary, steps.damage);
+        }
+    }
+
+    /** What is done with each batch, and how long it took; each step has its own figures. */
+    private static final class Steps implements BatchPipeline.Steps {
+        private final RecordingReader reader;
+        private final EventLabeller labeller;
+        private final ReportCollector report;
+        private final RunProgress progress;
+        private FlowCsvWriter csv;
+        private EventSourceException damage;
+        private long decodeNs;
+        private long engineNs;
+        private long outputNs;
+        private long eventsWithFlow;
+        private long bytesShown;
+
+        Steps(RecordingReader reader, EventLabeller labeller, ReportCollector report, RunProgress progress) {
+            this.reader = reader;
+            this.labeller = labeller;
+            this.report = report;
+            this.progress = progress;
+        }
+
+        @Override
+        public boolean read(BatchPipeline.Slot slot) {
+            long start = System.nanoTime();
+            boolean more = false;
+            try {
+                more = reader.next(slot.events);
+            } catch (EventSourceException e) {
+                damage = e;
+            }
+            slot.bytesRead = reader.bytesRead();
+            decodeNs += System.nanoTime() - start;
+            return more;
+        }
+
+        @Override
+        public void label(BatchPipeline.Slot slot) {
+            long start = System.nanoTime();
+            labeller.process(slot.events, slot.flow);
+            engineNs += System.nanoTime() - start;
+        }
+
+        @Override
+        public void write(BatchPipeline.Slot slot) throws IOException {
+            long start = System.nanoTime();
+            csv.write(slot.events, slot.flow);
+            if (report != null) {
+                report.add(slot.events, slot.flow);
+            }
+            outputNs += System.nanoTime() - start;
+            int withFlow = countWithFlow(slot.events, slot.flow);
+            eventsWithFlow += withFlow;
+            progress.add(slot.bytesRead - bytesShown, slot.events.size(), withFlow);
+            bytesShown = slot.bytesRead;
         }
     }
 

@@ -69,6 +69,11 @@ final class RunCommand implements Callable<Integer> {
         description = "How many recordings are run at once; default: ${DEFAULT-VALUE}.")
     private int jobs;
 
+    @Option(names = "--threads", paramLabel = "N", defaultValue = "2",
+        description = "Threads for each recording: 1, or 2 to write while labelling, or 3 to read then too; "
+            + "default: ${DEFAULT-VALUE}. Results do not depend on it.")
+    private int threads;
+
     @Mixin
     private ReadingOptions reading;
 
@@ -119,6 +124,9 @@ final class RunCommand implements Callable<Integer> {
     private List<RecordingRun> check() {
         if (jobs < 1) {
             throw usage("--jobs must be at least 1 but was " + jobs);
+        }
+        if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
+            throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
         }
         RecordingOptions options = reading.recordingOptions();
         MethodChoice method = methodOptions.choice(parameterOptions);
@@ -179,7 +187,7 @@ final class RunCommand implements Callable<Integer> {
 
     /** Runs one recording and says what came of it. */
     private boolean succeeds(RecordingRun run, RunProgress progress) throws Exception {
-        RecordingRun.Outcome outcome = run.run(progress);
+        RecordingRun.Outcome outcome = run.run(progress, threads);
         // Faults end with the damage where there is one.
         outcome.summary().recording().faults().forEach(progress::say);
         progress.finished(run.name(), outcome.summary());

@@ -209,6 +209,22 @@ public class RunCommandTest {
     }
 
     @Test
+    public void writesTheSameBytesHoweverManyThreadsRun() throws IOException {
+        // the last word of the copy is cut: every event before it has its row, and the damage is said
+        Path cut = root.resolve("cut.aedat");
+        byte[] whole = Files.readAllBytes(HEXAGON);
+        Files.write(cut, Arrays.copyOf(whole, whole.length - 3));
+        Executed alone = run(cut, "--threads", 1);
+        assertEquals(1, alone.exitCode);
+        for (int threads = 2; threads <= 3; threads++) {
+            Path together = root.resolve("threads " + threads);
+            Executed run = runTo(together, cut, "--threads", threads);
+            assertEquals(1, run.exitCode);
+            assertSameResults(out, together);
+        }
+    }
+
+    @Test
     public void runsThePaperPreset() throws IOException {
         assertEquals(0, run(HEXAGON, "--preset", "paper").exitCode);
         assertEquals(HEXAGON_EVENTS + 1, Files.readAllLines(out.resolve("hexagon.flow.csv")).size());
@@ -389,6 +405,8 @@ public class RunCommandTest {
         assertUsage("--rotation must be one of [true, false] but was \"maybe\"", HEXAGON, "--rotation", "maybe");
         assertUsage("--max-lifetime-px must be at least lifetime-px 5 but was 2", HEXAGON, "--max-lifetime-px", 2);
         assertUsage("--jobs must be at least 1 but was 0", HEXAGON, "--jobs", 0);
+        assertUsage("--threads must be 1 to 3 but was 4", HEXAGON, "--threads", 4);
+        assertUsage("--threads must be 1 to 3 but was 0", HEXAGON, "--threads", 0);
     }
 
     @Test

@@ -1,0 +1,153 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.FlowOutput;
+import java.io.IOException;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Reads, labels and writes the batches of a recording: all in the caller's thread, or writing in one of its own, or
+ * reading too. Each step gets all batches in order and in one thread, so that its results are the same however many
+ * threads there are.
+ */
+final class BatchPipeline {
+    /** Reading, labelling, writing. */
+    static final int MOST_THREADS = 3;
+    /** Events labelled at once: few enough to stay in a core's cache from reader to writer. */
+    private static final int BATCH = 4096;
+    /** Batches on their way: enough that a step that is slow for once holds up nobody. */
+    private static final int SLOTS = 8;
+
+    /** A batch on its way from reader to writer. */
+    static final class Slot {
+        final EventBatch events = new EventBatch(BATCH);
+        final FlowOutput flow = new FlowOutput(BATCH);
+        /** How much of the file was read when it was filled. */
+        long bytesRead;
+    }
+
+    /** What is done with a batch. */
+    interface Steps {
+        /** Fills a batch; false at the end, or at damage. */
+        boolean read(Slot slot);
+
+        /** Labels it, in the caller's thread. */
+        void label(Slot slot);
+
+        /**
+         * Writes it.
+         *
+         * @throws IOException where it cannot be written; no further batch is read then
+         */
+        void write(Slot slot) throws IOException;
+    }
+
+    private static final Slot END = new Slot();
+
+    private final Steps steps;
+    // a place more than there are batches, for the end
+    private final BlockingQueue<Slot> free = new ArrayBlockingQueue<>(SLOTS + 1);
+    private final BlockingQueue<Slot> filled = new ArrayBlockingQueue<>(SLOTS + 1);
+    private final BlockingQueue<Slot> labelled = new ArrayBlockingQueue<>(SLOTS + 1);
+    /** The first fault of reader or writer; all stop then. */
+    private volatile Throwable failure;
+
+    private BatchPipeline(Steps steps) {
+        this.steps = steps;
+    }
+
+    /**
+     * Takes all batches through the steps.
+     *
+     * @param threads 1 to {@value #MOST_THREADS}, the caller's included
+     * @throws IOException of the writer
+     */
+    static void run(Steps steps, int threads) throws IOException, InterruptedException {
+        if (threads == 1) {
+            Slot slot = new Slot();
+            while (steps.read(slot)) {
+                steps.label(slot);
+                steps.write(slot);
+            }
+        } else {
+            new BatchPipeline(steps).runTogether(threads);
+        }
+    }
+
+    private void runTogether(int threads) throws IOException, InterruptedException {
+        for (int i = 0; i < SLOTS; i++) {
+            free.add(new Slot());
+        }
+        ExecutorService helpers = Executors.newFixedThreadPool(threads - 1);
+        try {
+            helpers.submit(this::writeAll);
+            if (threads == MOST_THREADS) {
+                helpers.submit(this::readAll);
+            }
+            for (Slot slot = next(threads); slot != END && failure == null; slot = next(threads)) {
+                steps.label(slot);
+                labelled.put(slot);
+            }
+            labelled.put(END);
+            helpers.shutdown();
+            awaitEnd(helpers);
+        } finally {
+            // where labelling failed the others still wait; they are not to touch what the caller closes next
+            helpers.shutdownNow();
+            awaitEnd(helpers);
+        }
+        if (failure instanceof IOException) {
+            throw (IOException) failure;
+        } else if (failure instanceof Error) {
+            throw (Error) failure;
+        } else if (failure != null) {
+            throw (RuntimeException) failure;
+        }
+    }
+
+    private static void awaitEnd(ExecutorService helpers) throws InterruptedException {
+        helpers.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+    }
+
+    private Slot next(int threads) throws InterruptedException {
+        if (threads == MOST_THREADS) {
+            return filled.take();
+        }
+        Slot slot = free.take();
+        return steps.read(slot) ? slot : END;
+    }
+
+    private Void readAll() throws InterruptedException {
+        try {
+            Slot slot = free.take();
+            while (failure == null && steps.read(slot)) {
+                filled.put(slot);
+                slot = free.take();
+            }
+        } catch (RuntimeException | Error e) {
+            failure = e;
+        } finally {
+            filled.put(END);
+        }
+        return null;
+    }
+
+    /** Writes until the end; after a failure only hands batches back, so that nobody waits for one. */
+    private Void writeAll() throws InterruptedException {
+        for (Slot slot = labelled.take(); slot != END; slot = labelled.take()) {
+            try {
+                if (failure == null) {
+                    steps.write(slot);
+                }
+            } catch (IOException | RuntimeException | Error e) {
+                failure = e;
+            }
+            free.put(slot);
+        }
+        return null;
+    }
+}
