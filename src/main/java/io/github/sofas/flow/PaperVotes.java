@@ -21,9 +21,8 @@ final class PaperVotes {
     private static final int RANK_MASK = (1 << RANK_BITS) - 1;
 
     private final int n;
-    /** Velocity of column i of the projections along x, and of row j along y. */
-    private final int[] vx;
-    private final int[] vy;
+    /** Velocity of column i of the projections along x, and of row i along y. */
+    private final int[] velocity;
     private final int[] maskX;
     private final int[] maskY;
     private final int[] shift;
@@ -45,16 +44,14 @@ final class PaperVotes {
 
     PaperVotes(int width, int height, SofasParameters p) {
         n = p.flowProjections();
-        vx = new int[n];
-        vy = new int[n];
+        velocity = new int[n];
         maskX = new int[n];
         maskY = new int[n];
         shift = new int[n];
         for (int i = 0; i < n; i++) {
-            vx[i] = PaperFlowPlane.velocity(i, p);
-            vy[i] = vx[i];
-            maskX[i] = PaperFlowPlane.side(width, vx[i], p) - 1;
-            maskY[i] = PaperFlowPlane.side(height, vy[i], p) - 1;
+            velocity[i] = PaperFlowPlane.velocity(i, p);
+            maskX[i] = PaperFlowPlane.side(width, velocity[i], p) - 1;
+            maskY[i] = PaperFlowPlane.side(height, velocity[i], p) - 1;
             shift[i] = Integer.bitCount(maskX[i]);
         }
         accumulator = new short[n * n][];
@@ -86,7 +83,7 @@ final class PaperVotes {
     }
 
     private long squaredSpeed(int k) {
-        return (long) vx[k % n] * vx[k % n] + (long) vy[k / n] * vy[k / n];
+        return (long) velocity[k % n] * velocity[k % n] + (long) velocity[k / n] * velocity[k / n];
     }
 
     /** Adds a vote w, which waits; there must be room. */
@@ -94,8 +91,9 @@ final class PaperVotes {
         int at = size++;
         weight[at] = w;
         for (int i = 0; i < n; i++) {
-            column[i][at] = x - Projection.travelled(vx[i], sinceReferenceUs) & maskX[i];
-            row[i][at] = y - Projection.travelled(vy[i], sinceReferenceUs) & maskY[i];
+            int travelled = Projection.travelled(velocity[i], sinceReferenceUs);
+            column[i][at] = x - travelled & maskX[i];
+            row[i][at] = y - travelled & maskY[i];
         }
     }
 
