@@ -3,6 +3,7 @@ package io.github.sofas.cli;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.export.FlowCsvWriter;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.live.ThreadEnd;
 import io.github.sofas.recording.Aedat2Writer;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -123,16 +124,6 @@ final class LiveWriter implements AutoCloseable {
         if (thread.isAlive()) {
             filled.add(END);
         }
-        boolean interrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
+        ThreadEnd.await(thread);
     }
 }

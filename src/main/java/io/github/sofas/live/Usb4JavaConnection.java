@@ -212,17 +212,7 @@ final class Usb4JavaConnection implements UsbConnection {
             return;
         }
         stopping = true;
-        boolean interrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
+        ThreadEnd.await(thread);
         thread = null;
         transfers.forEach(LibUsb::freeTransfer);
         transfers.clear();
