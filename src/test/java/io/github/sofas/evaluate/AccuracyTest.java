@@ -23,6 +23,21 @@ public class AccuracyTest {
         return Evaluation.of(SimulatedRecording.of(scene, options), sofas, EvaluationOptions.defaults());
     }
 
+    /**
+     * Mean intersection over union and parts an object over eight seeds: where structures turn round or hide each
+     * other, a few events more or less decide over a tenth of a second of labels.
+     */
+    private static double[] meanSegmentation(Scene scene) {
+        double iou = 0;
+        double parts = 0;
+        for (int seed = 1; seed <= 8; seed++) {
+            SegmentationFigures figures = evaluate(scene, PLAIN.withSeed(seed)).segmentation();
+            iou += figures.meanIou() / 8;
+            parts += figures.partsPerObject() / 8;
+        }
+        return new double[] {iou, parts};
+    }
+
     /** Bounds: mean and sd of the magnitude error in %, mean and sd of the direction error in degrees, flow's share. */
     private static void assertOneSegment(Scene scene, SimulationOptions options, double mean, double sd, double angle,
                                          double angleSd, double share) {
@@ -106,9 +121,9 @@ public class AccuracyTest {
     @Test
     public void bodiesThatTurnRoundAreKnownAgain() {
         // new segments after each return: 0.5 to 0.76, and 1.4 parts
-        SegmentationFigures wanderers = evaluate(Scene.THREE_WANDERING, PLAIN).segmentation();
-        assertTrue("intersection over union " + wanderers.meanIou(), wanderers.meanIou() >= 0.8);
-        assertTrue("parts " + wanderers.partsPerObject(), wanderers.partsPerObject() <= 1.2);
+        double[] wanderers = meanSegmentation(Scene.THREE_WANDERING);
+        assertTrue("intersection over union " + wanderers[0], wanderers[0] >= 0.8);
+        assertTrue("parts " + wanderers[1], wanderers[1] <= 1.2);
     }
 
     @Test
@@ -120,8 +135,8 @@ public class AccuracyTest {
     @Test
     public void barsThatOvertakeEachOtherKeepTheirVelocities() {
         // while one hides another, what is left of that one's events is pulled along: 0.85, and 9 px/s of 75 too fast
-        SegmentationFigures bars = evaluate(Scene.FOUR_BARS, PLAIN).segmentation();
-        assertTrue("intersection over union " + bars.meanIou(), bars.meanIou() >= 0.88);
+        double[] bars = meanSegmentation(Scene.FOUR_BARS);
+        assertTrue("intersection over union " + bars[0], bars[0] >= 0.88);
     }
 
     @Test
