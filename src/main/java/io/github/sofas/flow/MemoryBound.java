@@ -15,7 +15,7 @@ final class MemoryBound {
     /** Two arrays of numbers, as long as they may have grown. */
     private static final int SORTING_BYTES = 2 * 2 * Integer.BYTES;
     private static final int LIVE_EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + 3 * Byte.BYTES + Integer.BYTES;
-    private static final int FITTED_EVENT_BYTES = 7 * Integer.BYTES + Byte.BYTES;
+    private static final int FITTED_EVENT_BYTES = 11 * Integer.BYTES + Byte.BYTES;
     /** Of the paper preset's arrays of events; a doubling beyond what fills half of them. */
     private static final long PAPER_EVENTS = 2 * (PaperFlowPlane.MOST_EVENTS + 1);
 
@@ -34,7 +34,7 @@ final class MemoryBound {
         long search = cells * (projections * Short.BYTES + 4 * Integer.BYTES)
             + EVENTS * (RING_BYTES + SORTING_BYTES);
         long company = Integer.BYTES * (pixels + (sensor.width() + 2L) * (sensor.height() + 2L));
-        long fit = Integer.BYTES * MetricFit.cells(sensor.width(), sensor.height(), p.voteCellPx())
+        long fit = Integer.BYTES * VoteGrid.cells(sensor.width(), sensor.height(), p.voteCellPx())
             + LiveEvents.CAPACITY * FITTED_EVENT_BYTES;
         long plane = Integer.BYTES * (sensor.width() + 2L * Contour.MARGIN) * (sensor.height() + 2L * Contour.MARGIN)
             + ((long) Integer.BYTES << Shape.bits(sensor.width()) + Shape.bits(sensor.height()))

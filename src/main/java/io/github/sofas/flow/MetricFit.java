@@ -1,51 +1,24 @@
 package io.github.sofas.flow;
 
-import java.util.Arrays;
-
 /**
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a motion, a quadratic through the nine values, and one step to its top.
- *
- * <p>Two differences from the paper's metric, ours because they decide the accuracy. An event votes for the four cells
- * around its projection by its nearness (bilinear): nearest cells leave a plateau of ties a tenth of the velocity wide.
- * And the metric leaves out what an event adds by meeting itself, w² of 2 w f + w²: that part says nothing of the
- * velocity, and rewards projections that let events fall on whole pixels, zero velocity above all.
  */
 final class MetricFit {
-    /** Positions are in sixteenths of a cell. */
-    private static final int SUB = 16;
-    private static final int SUB_BITS = 4;
-    /** Cells around the events, for their shifts; twice the greatest distance of projections and a step. */
-    private static final int BORDER = 20;
-
-    /** Most events that vote on two grids: less than a thinned sample has, whose places average out, and cost much. */
-    private static final int BOTH_GRIDS = 1900;
     /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
     private static final double CHANGE_SIGMAS = 0.5;
 
-    // Sampled events, projected along the motion to be improved: position in parts of a cell, time from the reference
-    // in s, place from the centre of rotation in px, vote.
-    private final int[] placeX;
-    private final int[] placeY;
+    /** Events, projected along the motion to be improved. */
+    private final VoteGrid grid;
+    // of each event: time from the reference in s, and place from the centre of rotation in px
     private final float[] tau;
     private final float[] fromX;
     private final float[] fromY;
-    private final byte[] vote;
-    private int size;
-    private long votes;
-
-    /** Positions a pixel. */
-    private final float scale;
-    private final int width;
-    private final int height;
-    private final int[] f;
-    // the part of it that is used: where it lies, and its size
-    private int originX;
-    private int originY;
-    private int columns;
-    private int rows;
-    private final float[] alongX;
-    private final float[] alongY;
+    /** Shifts a unit of the parameters that are being fitted. */
+    private final float[] along;
+    private final ShiftProfile time;
+    private final ShiftProfile alongX;
+    private final ShiftProfile alongY;
     private final double[] m = new double[9];
 
     // frame of the projections: direction of the first axis, distances along both in px/s
@@ -69,47 +42,34 @@ final class MetricFit {
     private double loss;
 
     MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
-        scale = (float) (SUB / cellPx);
-        placeX = new int[capacity];
-        placeY = new int[capacity];
+        grid = new VoteGrid(sensorWidth, sensorHeight, cellPx, capacity);
         tau = new float[capacity];
         fromX = new float[capacity];
         fromY = new float[capacity];
-        vote = new byte[capacity];
-        alongX = new float[capacity];
-        alongY = new float[capacity];
-        width = side(sensorWidth, cellPx);
-        height = side(sensorHeight, cellPx);
-        f = new int[width * height];
-    }
-
-    private static int side(int sensorSide, double cellPx) {
-        return (int) (sensorSide / cellPx) + 3 + 2 * BORDER;
-    }
-
-    /** Cells of the grid that votes are counted on. */
-    static long cells(int sensorWidth, int sensorHeight, double cellPx) {
-        return (long) side(sensorWidth, cellPx) * side(sensorHeight, cellPx);
+        along = new float[capacity];
+        time = new ShiftProfile(capacity);
+        alongX = new ShiftProfile(capacity);
+        alongY = new ShiftProfile(capacity);
     }
 
     /** The most events that fit. */
     int capacity() {
-        return placeX.length;
+        return grid.capacity();
     }
 
     /** How many events are fitted. */
     int size() {
-        return size;
+        return grid.size();
     }
 
     /** Votes given since the start, a measure of work. */
     long votes() {
-        return votes;
+        return grid.votes();
     }
 
     /** Forgets all events. */
     void clear() {
-        size = 0;
+        grid.clear();
     }
 
     /**
@@ -122,87 +82,21 @@ final class MetricFit {
      * @param ry row from the centre of rotation in px
      */
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
-        int i = size++;
-        placeX[i] = (int) (x * scale + 32768.5f) - 32768;
-        placeY[i] = (int) (y * scale + 32768.5f) - 32768;
+        int i = grid.size();
+        grid.add(x, y, polarity);
         tau[i] = tauS;
         fromX[i] = rx;
         fromY[i] = ry;
-        vote[i] = (byte) polarity;
     }
 
     /** Metric of the events moved back by velocity (vx, vy). */
     private double metricAt(double vx, double vy) {
-        return metric(tau, (float) (vx * scale), tau, (float) (vy * scale));
+        return grid.metric(time, vx, time, vy);
     }
 
-    /**
-     * Metric of the events moved back by sx alongX[i] and sy alongY[i]. Of few events the mean over two grids half a
-     * cell apart: on one alone, an edge thinner than a cell has up to twice the metric in the middle of a cell that it
-     * has between two, and its true velocity may look worst.
-     */
-    private double metric(float[] dx, float sx, float[] dy, float sy) {
-        double one = metric(dx, sx, dy, sy, 0);
-        return size > BOTH_GRIDS ? one : (one + metric(dx, sx, dy, sy, SUB / 2)) / 2;
-    }
-
-    /** The metric on a grid shifted by some parts of a cell: 2 w f summed over all votes. */
-    private double metric(float[] dx, float sx, float[] dy, float sy, int shift) {
-        votes += size;
-        int[] grid = f;
-        int w = columns;
-        int offsetX = 32768 - originX + shift;
-        int offsetY = 32768 - originY + shift;
-        int limitX = (columns - 1) * SUB;
-        int limitY = (rows - 1) * SUB;
-        Arrays.fill(grid, 0, columns * rows, 0);
-        long sum = 0;
-        for (int i = 0; i < size; i++) {
-            // the cast rounds towards zero, so the argument is kept positive
-            int px = placeX[i] + offsetX - (int) (sx * dx[i] + 32768.5f);
-            int py = placeY[i] + offsetY - (int) (sy * dy[i] + 32768.5f);
-            // an event that leaves the grid meets no other
-            if ((px | py) < 0 || px >= limitX || py >= limitY) {
-                continue;
-            }
-            int c = (py >> SUB_BITS) * w + (px >> SUB_BITS);
-            int fx = px & SUB - 1;
-            int fy = py & SUB - 1;
-            int s = vote[i];
-            int w11 = fx * fy * s;
-            int w10 = fx * SUB * s - w11;
-            int w01 = fy * SUB * s - w11;
-            int w00 = SUB * SUB * s - w11 - w10 - w01;
-            int a = grid[c];
-            int b = grid[c + 1];
-            int d = grid[c + w];
-            int e = grid[c + w + 1];
-            // weights add up to 256, cells to 256 an event at most: the products fit an int
-            sum += w00 * a + w10 * b + w01 * d + w11 * e;
-            grid[c] = a + w00;
-            grid[c + 1] = b + w10;
-            grid[c + w] = d + w01;
-            grid[c + w + 1] = e + w11;
-        }
-        return sum * (2.0 / (SUB * SUB * SUB * SUB));
-    }
-
-    /** Lays the grid around the events, so that it is as small as they allow and stays in the cache. */
-    private void layGrid() {
-        int lowX = Integer.MAX_VALUE;
-        int lowY = Integer.MAX_VALUE;
-        int highX = Integer.MIN_VALUE;
-        int highY = Integer.MIN_VALUE;
-        for (int i = 0; i < size; i++) {
-            lowX = Math.min(lowX, placeX[i]);
-            highX = Math.max(highX, placeX[i]);
-            lowY = Math.min(lowY, placeY[i]);
-            highY = Math.max(highY, placeY[i]);
-        }
-        originX = (lowX & -SUB) - BORDER * SUB;
-        originY = (lowY & -SUB) - BORDER * SUB;
-        columns = Math.min(width, (highX - lowX) / SUB + 3 + 2 * BORDER);
-        rows = Math.min(height, (highY - lowY) / SUB + 3 + 2 * BORDER);
+    private void prepare() {
+        grid.lay();
+        time.take(tau, grid.size());
     }
 
     /** Sets an upright frame with equal distances. */
@@ -245,7 +139,7 @@ final class MetricFit {
      *     deviations of the metric, which counts about as many meetings
      */
     void fit(double vx0, double vy0, double sigmas) {
-        layGrid();
+        prepare();
         metric = 0;
         for (int j = 0; j < 3; j++) {
             for (int i = 0; i < 3; i++) {
@@ -269,7 +163,7 @@ final class MetricFit {
      * axes of what is known, the corners tell how it has turned, and little else.
      */
     void fitCross(double sigmas) {
-        layGrid();
+        prepare();
         double here = metricAt(0, 0);
         double less1 = metricAt(-h1 * frameX, -h1 * frameY);
         double more1 = metricAt(h1 * frameX, h1 * frameY);
@@ -404,28 +298,30 @@ final class MetricFit {
 
     /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
     void fitAcceleration(double dirX, double dirY, double h) {
-        for (int i = 0; i < size; i++) {
-            float half = 0.5f * tau[i] * tau[i];
-            alongX[i] = (float) dirX * half;
-            alongY[i] = (float) dirY * half;
+        for (int i = 0; i < grid.size(); i++) {
+            along[i] = 0.5f * tau[i] * tau[i];
         }
-        fitAlong(h);
+        alongX.take(along, grid.size());
+        fitAlong(alongX, dirX, alongX, dirY, h);
     }
 
     /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
     void fitRotation(double h) {
-        for (int i = 0; i < size; i++) {
-            alongX[i] = -fromY[i] * tau[i];
-            alongY[i] = fromX[i] * tau[i];
+        for (int i = 0; i < grid.size(); i++) {
+            along[i] = -fromY[i] * tau[i];
         }
-        fitAlong(h);
+        alongX.take(along, grid.size());
+        for (int i = 0; i < grid.size(); i++) {
+            along[i] = fromX[i] * tau[i];
+        }
+        alongY.take(along, grid.size());
+        fitAlong(alongX, 1, alongY, 1, h);
     }
 
-    private void fitAlong(double h) {
-        float s = (float) (h * scale);
-        double less = metric(alongX, -s, alongY, -s);
+    private void fitAlong(ShiftProfile profileX, double x, ShiftProfile profileY, double y, double h) {
+        double less = grid.metric(profileX, -h * x, profileY, -h * y);
         double here = m[4];
-        double more = metric(alongX, s, alongY, s);
+        double more = grid.metric(profileX, h * x, profileY, h * y);
         double curvature = less + more - 2 * here;
         double floor = floor(Math.max(here, Math.max(less, more)), CHANGE_SIGMAS);
         step = stepTo(curvature, (more - less) / 2, floor) * h;
