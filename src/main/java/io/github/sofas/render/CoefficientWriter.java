@@ -15,6 +15,9 @@ import org.jcodec.common.io.VLC;
  * for each block and goes through a buffer code by code, takes several times as long.
  */
 final class CoefficientWriter {
+    /** Places of a block's coefficients in the order in which they are written. */
+    static final int[] SCAN = CoeffTransformer.zigzag4x4;
+
     private static final int MOST_SUFFIX_BITS = 6;
     /** Zeros before a level that is written as it is, and its bits. */
     private static final int ESCAPE = 15;
@@ -26,10 +29,8 @@ final class CoefficientWriter {
     private static final int[][] ZEROS = codes(H264Const.totalZeros16);
     private static final int[][] COLOUR_ZEROS = codes(H264Const.totalZeros4);
     private static final int[][] RUNS = codes(H264Const.run);
-    /** Levels' codes by bits of suffix. At coarseness 28 levels are at most 127: four sums of 4080, by 128. */
+    /** Codes of levels up to 127, beyond which only the means of whole pictures are; by bits of suffix. */
     private static final int[][] LEVELS = new int[MOST_SUFFIX_BITS + 1][256];
-    private static final int[] ZIGZAG = CoeffTransformer.zigzag4x4;
-    private static final int[] IN_ORDER = {0, 1, 2, 3};
 
     static {
         for (int suffixBits = 0; suffixBits <= MOST_SUFFIX_BITS; suffixBits++) {
@@ -115,27 +116,30 @@ final class CoefficientWriter {
     /**
      * Writes a block of 4 x 4 coefficients.
      *
+     * @param levels them in the order of {@link #SCAN}
+     * @param found which of them are not zero, as bits
      * @param first 0, or 1 where the first coefficient is written elsewhere
      * @param neighbours the mean of the coefficients that the blocks left and above have
-     * @return how many are not zero
      */
-    int writeBlock(int[] block, int first, int neighbours) {
-        return write(block, first, 16, ZIGZAG, TOKENS[Math.min(neighbours, 8)], ZEROS);
+    void writeBlock(int[] levels, int found, int first, int neighbours) {
+        write(levels, found, first, 16, TOKENS[Math.min(neighbours, 8)], ZEROS);
     }
 
     /** Writes the four coefficients that stand for the mean colours of a macroblock. */
     void writeColourMeans(int[] means) {
-        write(means, 0, 4, IN_ORDER, COLOUR_TOKENS, COLOUR_ZEROS);
+        int found = 0;
+        for (int i = 0; i < 4; i++) {
+            found |= means[i] == 0 ? 0 : 1 << i;
+        }
+        write(means, found, 0, 4, COLOUR_TOKENS, COLOUR_ZEROS);
     }
 
-    private int write(int[] block, int first, int end, int[] order, int[] tokens, int[][] zeroCodes) {
+    private void write(int[] values, int found, int first, int end, int[] tokens, int[][] zeroCodes) {
         int count = 0;
-        for (int i = first; i < end; i++) {
-            int level = block[order[i]];
-            // written over by the next where it is zero: a branch that is taken at random takes longer
-            levels[count] = level;
-            places[count] = i;
-            count += (level | -level) >>> 31;
+        for (int rest = found; rest != 0; rest &= rest - 1) {
+            places[count] = Integer.numberOfTrailingZeros(rest);
+            levels[count] = values[places[count]];
+            count++;
         }
         int ones = 0;
         int signs = 0;
@@ -157,7 +161,6 @@ final class CoefficientWriter {
                 zeros -= run;
             }
         }
-        return count;
     }
 
     /** From the highest coefficient down; a level's code has more bits where the one before was large. */
@@ -167,7 +170,8 @@ final class CoefficientWriter {
         int less = ones < 3 ? 4 : 2;
         for (int i = count - 1 - ones; i >= 0; i--) {
             int magnitude = Math.abs(levels[i]);
-            write(LEVELS[suffixBits][2 * magnitude + (levels[i] >>> 31) - less]);
+            int number = 2 * magnitude + (levels[i] >>> 31) - less;
+            write(number < LEVELS[0].length ? LEVELS[suffixBits][number] : levelCode(number, suffixBits));
             less = 2;
             suffixBits = Math.max(suffixBits, 1);
             suffixBits += magnitude > 3 << suffixBits - 1 && suffixBits < MOST_SUFFIX_BITS ? 1 : 0;

@@ -5,7 +5,6 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import org.jcodec.codecs.h264.H264Const;
-import org.jcodec.codecs.h264.decode.CoeffTransformer;
 import org.jcodec.codecs.h264.io.model.MBType;
 import org.jcodec.common.model.Picture;
 
@@ -25,8 +24,6 @@ final class DifferenceEncoder {
     /** Longest motion vector, in pixels. */
     private static final int FARTHEST = 2047;
     private static final int QUARTERS = 4;
-    private static final int[] NOTHING = new int[16];
-    private static final int[] NO_MEANS = new int[4];
     /** Four pixels at once. */
     private static final VarHandle FOUR = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
     private static final int ALL_FOUR = 0x01010101;
@@ -36,20 +33,12 @@ final class DifferenceEncoder {
     /** The picture before as it was given, and as the player sees it. */
     private final Picture before;
     private final Picture seen;
-    /** How many coefficients each block of 4 x 4 values has, in each plane. */
-    private final byte[][] counts;
+    private final Macroblock block;
     /** Which blocks of 16 x 16 are predicted as ground. */
     private final boolean[] isGround;
     /** Ground of each row of pixels of a row of blocks, in each plane: as it is given now, and as the player saw it. */
     private final byte[][] groundNow = {new byte[16], new byte[8], new byte[8]};
     private final byte[][] groundSeen = {new byte[16], new byte[8], new byte[8]};
-
-    // of the block of 16 x 16 that is encoded
-    private final int[][] luma = new int[16][16];
-    private final boolean[] isWritten = new boolean[16];
-    /** Blue and red, four blocks each, and of each block the mean. */
-    private final int[][][] colour = new int[2][4][16];
-    private final int[][] means = new int[2][4];
 
     /**
      * Prepares for pictures of a size.
@@ -62,9 +51,8 @@ final class DifferenceEncoder {
         this.rows = rows;
         this.before = before;
         this.seen = seen;
-        int blocks = columns * rows;
-        counts = new byte[][] {new byte[16 * blocks], new byte[4 * blocks], new byte[4 * blocks]};
-        isGround = new boolean[blocks];
+        block = new Macroblock(columns, rows, QUANTISATION, seen);
+        isGround = new boolean[columns * rows];
     }
 
     /**
@@ -73,9 +61,7 @@ final class DifferenceEncoder {
      * @param changed of each block, row by row, whether it may differ from the picture before
      */
     void encode(Picture picture, boolean[] changed, CoefficientWriter bits) {
-        for (byte[] plane : counts) {
-            Arrays.fill(plane, (byte) 0);
-        }
+        block.begin();
         int skipped = 0;
         for (int row = 0; row < rows; row++) {
             boolean groundStays = findGround(picture, row) && columns * 16 <= FARTHEST;
@@ -103,8 +89,8 @@ final class DifferenceEncoder {
                 if (pattern > 0) {
                     // no change of coarseness
                     bits.writeSigned(0);
-                    writeLuma(column, row, bits, pattern);
-                    writeColour(column, row, bits, pattern);
+                    block.writeLuma(column, row, pattern & 15, bits);
+                    block.writeColour(column, row, pattern >> 4, bits);
                 }
             }
         }
@@ -117,7 +103,7 @@ final class DifferenceEncoder {
     private boolean findGround(Picture picture, int row) {
         boolean stays = true;
         for (int plane = 0; plane < 3; plane++) {
-            int side = side(plane);
+            int side = Macroblock.side(plane);
             for (int y = 0; y < side; y++) {
                 int last = (row * side + y + 1) * columns * side - 1;
                 groundNow[plane][y] = picture.getPlaneData(plane)[last];
@@ -128,16 +114,12 @@ final class DifferenceEncoder {
         return stays;
     }
 
-    private static int side(int plane) {
-        return plane == 0 ? 16 : 8;
-    }
-
     /** Whether fewer of a block's 16 parts differ from the ground than from the picture before. */
     private boolean isNearerToGround(Picture picture, int column, int row, boolean ifAsNear) {
         int stride = columns << 4;
         int balance = 0;
         for (int i = 0; i < 16; i++) {
-            int at = place(i, 0, column, row);
+            int at = block.place(i, 0, column, row);
             balance += hasChanged(picture, 0, at, stride) ? 1 : 0;
             balance -= differsFromGround(picture, 0, at, stride, i >> 2 << 2) ? 1 : 0;
         }
@@ -159,60 +141,27 @@ final class DifferenceEncoder {
 
     /** Transforms the differences to what is predicted; the coded block pattern. */
     private int transform(Picture picture, int column, int row, boolean fromGround) {
-        int pattern = 0;
+        int differing = 0;
         for (int i = 0; i < 16; i++) {
-            isWritten[i] = subtract(picture, 0, place(i, 0, column, row), fromGround ? i >> 2 << 2 : -1, luma[i]);
-            if (isWritten[i]) {
-                CoeffTransformer.fdct4x4(luma[i]);
-                CoeffTransformer.quantizeAC(luma[i], QUANTISATION);
-                isWritten[i] = !Arrays.equals(luma[i], NOTHING);
-            }
-            if (isWritten[i]) {
-                // of a quarter of the block, 8 x 8
-                pattern |= 1 << (i >> 3 << 1 | i >> 1 & 1);
+            if (subtract(picture, 0, block.place(i, 0, column, row), fromGround ? i >> 2 << 2 : -1, block.luma[i])) {
+                differing |= 1 << i;
             }
         }
+        int quarters = block.transformLuma(differing);
+        differing = 0;
         int greatest = 0;
         for (int k = 0; k < 2; k++) {
             for (int i = 0; i < 4; i++) {
-                int[] block = colour[k][i];
-                if (subtract(picture, k + 1, place(i, k + 1, column, row), fromGround ? i >> 1 << 2 : -1, block)) {
-                    for (int difference : block) {
+                int[] part = block.colour[k][i];
+                if (subtract(picture, k + 1, block.place(i, k + 1, column, row), fromGround ? i >> 1 << 2 : -1, part)) {
+                    differing |= 1 << 4 * k + i;
+                    for (int difference : part) {
                         greatest = Math.max(greatest, Math.abs(difference));
                     }
-                } else {
-                    Arrays.fill(block, 0);
                 }
             }
         }
-        return greatest > UNSEEN ? pattern | transformColour() << 4 : pattern;
-    }
-
-    /** What is written of the differences in colour: nothing, 1 the means of the blocks, 2 all. */
-    private int transformColour() {
-        int written = 0;
-        for (int k = 0; k < 2; k++) {
-            for (int i = 0; i < 4; i++) {
-                int[] block = colour[k][i];
-                CoeffTransformer.fdct4x4(block);
-                means[k][i] = block[0];
-                block[0] = 0;
-                CoeffTransformer.quantizeAC(block, QUANTISATION);
-                written = Arrays.equals(block, NOTHING) ? written : 2;
-            }
-            CoeffTransformer.fvdDC2x2(means[k]);
-            CoeffTransformer.quantizeDC2x2(means[k], QUANTISATION);
-            written = Math.max(written, Arrays.equals(means[k], NO_MEANS) ? 0 : 1);
-        }
-        return written;
-    }
-
-    /** The first value of a part of 4 x 4 values, of those that follow each other by rows in a block. */
-    private int place(int part, int plane, int column, int row) {
-        int side = side(plane);
-        int partsAcross = side >> 2;
-        int y = row * side + (part / partsAcross << 2);
-        return y * columns * side + column * side + (part % partsAcross << 2);
+        return quarters | (greatest > UNSEEN ? block.transformColour(differing) << 4 : 0);
     }
 
     /**
@@ -220,15 +169,15 @@ final class DifferenceEncoder {
      *
      * @param groundRow row in the block, where ground is predicted; -1 where the picture before is
      */
-    private boolean subtract(Picture picture, int plane, int at, int groundRow, int[] block) {
-        int stride = columns * side(plane);
+    private boolean subtract(Picture picture, int plane, int at, int groundRow, int[] part) {
+        int stride = columns * Macroblock.side(plane);
         byte[] now = picture.getPlaneData(plane);
         if (groundRow >= 0) {
             if (!differsFromGround(picture, plane, at, stride, groundRow)) {
                 return false;
             }
             for (int i = 0; i < 16; i++) {
-                block[i] = now[at + (i >> 2) * stride + (i & 3)] - groundSeen[plane][groundRow + (i >> 2)];
+                part[i] = now[at + (i >> 2) * stride + (i & 3)] - groundSeen[plane][groundRow + (i >> 2)];
             }
             return true;
         }
@@ -238,7 +187,7 @@ final class DifferenceEncoder {
         byte[] then = seen.getPlaneData(plane);
         for (int i = 0; i < 16; i++) {
             int pixel = at + (i >> 2) * stride + (i & 3);
-            block[i] = now[pixel] - then[pixel];
+            part[i] = now[pixel] - then[pixel];
         }
         return true;
     }
@@ -263,75 +212,15 @@ final class DifferenceEncoder {
         return difference != 0;
     }
 
-    private void writeLuma(int column, int row, CoefficientWriter bits, int pattern) {
-        for (int i = 0; i < 16; i++) {
-            if ((pattern >> (i >> 2) & 1) == 0) {
-                continue;
-            }
-            int part = H264Const.BLK_INV_MAP[i];
-            int[] block = isWritten[part] ? luma[part] : NOTHING;
-            write(0, (column << 2) + (part & 3), (row << 2) + (part >> 2), block, 0, bits);
-            if (isWritten[part]) {
-                CoeffTransformer.dequantizeAC(block, QUANTISATION, null);
-                CoeffTransformer.idct4x4(block);
-                add(0, place(part, 0, column, row), block);
-            }
-        }
-    }
-
-    private void writeColour(int column, int row, CoefficientWriter bits, int pattern) {
-        int written = pattern >> 4;
-        if (written == 0) {
-            return;
-        }
-        bits.writeColourMeans(means[0]);
-        bits.writeColourMeans(means[1]);
-        for (int k = 0; k < 2; k++) {
-            CoeffTransformer.invDC2x2(means[k]);
-            CoeffTransformer.dequantizeDC2x2(means[k], QUANTISATION, null);
-            for (int i = 0; i < 4; i++) {
-                int[] block = colour[k][i];
-                if (written == 2) {
-                    write(k + 1, (column << 1) + (i & 1), (row << 1) + (i >> 1), block, 1, bits);
-                }
-                CoeffTransformer.dequantizeAC(block, QUANTISATION, null);
-                block[0] = means[k][i];
-                CoeffTransformer.idct4x4(block);
-                add(k + 1, place(i, k + 1, column, row), block);
-            }
-        }
-    }
-
-    /** Writes a part in the code that the number of coefficients left and above asks for. */
-    private void write(int plane, int x, int y, int[] block, int first, CoefficientWriter bits) {
-        int stride = columns * (side(plane) >> 2);
-        int at = y * stride + x;
-        byte[] count = counts[plane];
-        int left = x > 0 ? count[at - 1] : 0;
-        int above = y > 0 ? count[at - stride] : 0;
-        int neighbours = x > 0 && y > 0 ? left + above + 1 >> 1 : left + above;
-        count[at] = (byte) bits.writeBlock(block, first, neighbours);
-    }
-
     /** Makes a block that is seen ground. */
     private void paintGround(int column, int row) {
         for (int plane = 0; plane < 3; plane++) {
             byte[] pixels = seen.getPlaneData(plane);
-            int side = side(plane);
-            int at = place(0, plane, column, row);
+            int side = Macroblock.side(plane);
+            int at = block.place(0, plane, column, row);
             for (int y = 0; y < side; y++, at += columns * side) {
                 Arrays.fill(pixels, at, at + side, groundSeen[plane][y]);
             }
-        }
-    }
-
-    /** Adds a difference to what is seen. */
-    private void add(int plane, int at, int[] block) {
-        byte[] pixels = seen.getPlaneData(plane);
-        int stride = columns * side(plane);
-        for (int i = 0; i < 16; i++) {
-            int pixel = at + (i >> 2) * stride + (i & 3);
-            pixels[pixel] = (byte) Math.max(-128, Math.min(127, pixels[pixel] + block[i]));
         }
     }
 }

@@ -4,11 +4,6 @@ import java.nio.ByteBuffer;
 import org.jcodec.codecs.h264.H264Encoder;
 import org.jcodec.codecs.h264.H264Utils;
 import org.jcodec.codecs.h264.encode.DumbRateControl;
-import org.jcodec.codecs.h264.encode.EncodedMB;
-import org.jcodec.codecs.h264.encode.MBEncoderHelper;
-import org.jcodec.codecs.h264.encode.MBEncoderI16x16;
-import org.jcodec.codecs.h264.io.CAVLC;
-import org.jcodec.codecs.h264.io.model.MBType;
 import org.jcodec.codecs.h264.io.model.NALUnit;
 import org.jcodec.codecs.h264.io.model.NALUnitType;
 import org.jcodec.codecs.h264.io.model.PictureParameterSet;
@@ -16,7 +11,6 @@ import org.jcodec.codecs.h264.io.model.RefPicMarkingIDR;
 import org.jcodec.codecs.h264.io.model.SeqParameterSet;
 import org.jcodec.codecs.h264.io.model.SliceHeader;
 import org.jcodec.codecs.h264.io.model.SliceType;
-import org.jcodec.codecs.h264.io.write.CAVLCWriter;
 import org.jcodec.codecs.h264.io.write.SliceHeaderWriter;
 import org.jcodec.common.io.BitWriter;
 import org.jcodec.common.model.ColorSpace;
@@ -32,8 +26,6 @@ import org.jcodec.common.model.Size;
  * Here nothing is smoothed: whole pictures are too fine for it, for differences it is switched off.
  */
 final class FilmEncoder {
-    /** Coarseness of whole pictures, 0 to 51: below 16 the standard smooths nothing. */
-    private static final int KEY_QUANTISATION = 15;
     /** Pictures from one whole one to the next: where a player can begin. */
     private static final int KEY_INTERVAL = 300;
     /** The coarseness that the headers count from. */
@@ -49,6 +41,7 @@ final class FilmEncoder {
     /** The picture before as it was given, and as the player sees it. */
     private final Picture before;
     private final Picture seen;
+    private final WholeEncoder whole;
     private final DifferenceEncoder differences;
     private final ByteBuffer slice;
     private int number;
@@ -65,6 +58,7 @@ final class FilmEncoder {
         pps.deblockingFilterControlPresentFlag = true;
         before = Picture.create(width, height, ColorSpace.YUV420J);
         seen = Picture.create(width, height, ColorSpace.YUV420J);
+        whole = new WholeEncoder(columns, rows, seen);
         differences = new DifferenceEncoder(columns, rows, before, seen);
         slice = ByteBuffer.allocate(maxBytes());
     }
@@ -89,15 +83,15 @@ final class FilmEncoder {
         slice.clear();
         BitWriter bits = new BitWriter(slice);
         SliceHeaderWriter.write(header(isKey), isKey, 2, bits);
+        int headerBits = bits.position();
+        bits.flush();
+        CoefficientWriter coefficients = new CoefficientWriter(slice, headerBits);
         if (isKey) {
-            encodeWhole(picture, bits);
+            whole.encode(picture, coefficients);
         } else {
-            int headerBits = bits.position();
-            bits.flush();
-            CoefficientWriter coefficients = new CoefficientWriter(slice, headerBits);
             differences.encode(picture, changed, coefficients);
-            coefficients.end();
         }
+        coefficients.end();
         slice.flip();
         out.putInt(START_CODE);
         new NALUnit(isKey ? NALUnitType.IDR_SLICE : NALUnitType.NON_IDR_SLICE, 3).write(out);
@@ -133,36 +127,9 @@ final class FilmEncoder {
         header.pps = pps;
         header.frameNum = number % (1 << sps.log2MaxFrameNumMinus4 + 4);
         header.picOrderCntLsb = (number << 1) % (1 << sps.log2MaxPicOrderCntLsbMinus4 + 4);
-        header.sliceQpDelta = (isKey ? KEY_QUANTISATION : DifferenceEncoder.QUANTISATION) - HEADER_QUANTISATION;
+        header.sliceQpDelta = (isKey ? WholeEncoder.QUANTISATION : DifferenceEncoder.QUANTISATION)
+            - HEADER_QUANTISATION;
         header.disableDeblockingFilterIdc = 1;
         return header;
-    }
-
-    private void encodeWhole(Picture picture, BitWriter bits) {
-        byte[][] left = {new byte[16], new byte[8], new byte[8]};
-        byte[][] above = {new byte[columns << 4], new byte[columns << 3], new byte[columns << 3]};
-        CAVLC[] entropy = {new CAVLC(sps, pps, 2, 2), new CAVLC(sps, pps, 1, 1), new CAVLC(sps, pps, 1, 1)};
-        MBEncoderI16x16 encoder = new MBEncoderI16x16(entropy, left, above);
-        EncodedMB block = new EncodedMB();
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                int type = encoder.getCbpLuma(picture, column, row) / 15 * 12
-                    + encoder.getCbpChroma(picture, column, row) * 4 + encoder.getPredMode(picture, column, row);
-                CAVLCWriter.writeUE(bits, MBType.I_16x16.code() + type);
-                encoder.encodeMacroblock(picture, column, row, bits, block, null, null, KEY_QUANTISATION, 0);
-                Picture pixels = block.getPixels();
-                MBEncoderHelper.putBlkPic(seen, pixels, column << 4, row << 4);
-                for (int plane = 0; plane < 3; plane++) {
-                    int side = plane == 0 ? 16 : 8;
-                    byte[] data = pixels.getPlaneData(plane);
-                    System.arraycopy(data, side * (side - 1), above[plane], column * side, side);
-                    for (int i = 0; i < side; i++) {
-                        left[plane][i] = data[i * side + side - 1];
-                    }
-                }
-            }
-        }
-        bits.write1Bit(1);
-        bits.flush();
     }
 }

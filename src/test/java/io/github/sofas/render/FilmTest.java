@@ -168,6 +168,35 @@ public class FilmTest {
         }
     }
 
+    /** Shades, a flat ground and noise, each in both halves of the picture. */
+    @Test
+    public void theFirstPictureOfAnMp4IsNearlyAsItWas() throws IOException, JCodecException {
+        File file = folder.newFile("film.mp4");
+        BufferedImage picture = new BufferedImage(96, 64, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(7);
+        for (int i = 0; i < 96 * 64; i++) {
+            int x = i % 96;
+            int y = i / 96;
+            int colour = x < 32 ? 2 * x << 16 | 3 * y << 8 | 0x80 : x < 64 ? 0xE69F00 : random.nextInt(1 << 24);
+            // two pixels by two, as many as share a colour
+            picture.setRGB(x, y, x % 2 == 0 && y % 2 == 0 ? colour : picture.getRGB(x / 2 * 2, y / 2 * 2));
+        }
+        try (Film film = new Mp4Film(file.toPath(), 25)) {
+            film.add(picture);
+        }
+        Picture seen = FrameGrab.createFrameGrab(NIOUtils.readableChannel(file)).getNativeFrame();
+        for (int i = 0; i < 48 * 32; i++) {
+            int rgb = picture.getRGB(i % 48 * 2, i / 48 * 2);
+            int r = rgb >> 16 & 0xFF;
+            int g = rgb >> 8 & 0xFF;
+            int b = rgb & 0xFF;
+            assertEquals("brightness " + i, 16 + 0.257 * r + 0.504 * g + 0.098 * b - 128,
+                seen.getPlaneData(0)[i / 48 * 2 * 96 + i % 48 * 2], 5);
+            assertEquals("blue " + i, -0.148 * r - 0.291 * g + 0.439 * b, seen.getPlaneData(1)[i], 5);
+            assertEquals("red " + i, 0.439 * r - 0.368 * g - 0.071 * b, seen.getPlaneData(2)[i], 5);
+        }
+    }
+
     @Test
     public void mp4HoldsThePictures() throws IOException, JCodecException {
         File file = folder.newFile("film.mp4");
