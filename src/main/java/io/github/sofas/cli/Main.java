@@ -34,12 +34,7 @@ public final class Main {
      */
     static int execute(PrintWriter out, PrintWriter err, String... args) {
         SofasCommand sofas = new SofasCommand();
-        CommandLine commandLine = new CommandLine(sofas);
-        ParameterOptions.addTo(commandLine.getSubcommands().get("run").getCommandSpec());
-        ParameterOptions.addTo(commandLine.getSubcommands().get("live").getCommandSpec());
-        ParameterOptions.addTo(commandLine.getSubcommands().get("render").getCommandSpec());
-        ParameterOptions.addTo(commandLine.getSubcommands().get("evaluate").getCommandSpec());
-        ParameterOptions.addTo(commandLine.getSubcommands().get("bench").getCommandSpec());
+        CommandLine commandLine = sofas.commandLine(args);
         commandLine.setOut(out);
         commandLine.setErr(err);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);

@@ -1,7 +1,11 @@
 package io.github.sofas.cli;
 
 import java.io.PrintWriter;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import picocli.AutoComplete;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
@@ -13,17 +17,50 @@ import picocli.CommandLine.Spec;
 /** The command without a subcommand, and the options that all share. */
 @Command(name = "sofas", mixinStandardHelpOptions = true, scope = ScopeType.INHERIT, versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
-    description = "Optical flow and segment of every event of event-camera recordings.",
-    subcommands = {RunCommand.class, RenderCommand.class, LiveCommand.class, InfoCommand.class, EvaluateCommand.class,
-        SimulateCommand.class, ExperimentsCommand.class, CompareCommand.class, BenchCommand.class, HelpCommand.class,
-        AutoComplete.GenerateCompletion.class})
+    description = "Optical flow and segment of every event of event-camera recordings.")
 final class SofasCommand implements Runnable {
+    /** Commands in the order in which help tells them. */
+    private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, RenderCommand.class, LiveCommand.class,
+        InfoCommand.class, EvaluateCommand.class, SimulateCommand.class, ExperimentsCommand.class,
+        CompareCommand.class, BenchCommand.class);
+    /** Commands about commands, which need them all. */
+    private static final List<Class<?>> ABOUT_COMMANDS = List.of(HelpCommand.class,
+        AutoComplete.GenerateCompletion.class);
+    /** Those that have the algorithm's parameters as options. */
+    private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, RenderCommand.class,
+        LiveCommand.class, EvaluateCommand.class, BenchCommand.class);
+
     @Spec
     private CommandSpec spec;
 
     @Option(names = "--verbose", scope = ScopeType.INHERIT,
         description = "Show where in the program an unexpected error arose.")
     private boolean verbose;
+
+    /**
+     * The command line with the command that is asked for, or with all where none is named: preparing one of them takes
+     * several times as long as reading its arguments.
+     */
+    CommandLine commandLine(String... arguments) {
+        CommandLine line = new CommandLine(this);
+        List<Class<?>> asked = COMMANDS.stream()
+            .filter(each -> arguments.length > 0 && name(each).equals(arguments[0]))
+            .collect(Collectors.toList());
+        for (Class<?> each : asked.isEmpty() ? COMMANDS : asked) {
+            line.addSubcommand(each);
+            if (WITH_PARAMETERS.contains(each)) {
+                ParameterOptions.addTo(line.getSubcommands().get(name(each)).getCommandSpec());
+            }
+        }
+        if (asked.isEmpty()) {
+            ABOUT_COMMANDS.forEach(line::addSubcommand);
+        }
+        return line;
+    }
+
+    private static String name(Class<?> command) {
+        return command.getAnnotation(Command.class).name();
+    }
 
     @Override
     public void run() {
