@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -167,6 +168,32 @@ public class StartScriptsTest {
         assertEquals("-XX:+UseSerialGC\n--enable-native-access=ALL-UNNAMED\n-cp\n" + project + "/build/install/lib/*\n"
             + "io.github.sofas.cli.Main\nrun\ntwo words\n", result.out);
         assertEquals(7, result.code);
+    }
+
+    @Test
+    public void keepsTheClassesAsJavaHoldsThemOnceABuild() throws Exception {
+        Path java = installJava("jdk-21", "21.0.2");
+        Path calls = root.resolve("calls");
+        // keeps classes where it is asked to, in a file that is not to be written, as Java does
+        script(java.resolve("bin/java"), "echo \"$*\" >>" + calls + "\n"
+            + "case $2 in -XX:ArchiveClassesAtExit=*) echo classes >\"${2#*=}\"; chmod 444 \"${2#*=}\" ;; esac");
+        environment.put("SOFAS_JAVA", java.toString());
+        markBuilt();
+        run("sofas", "info", "two words");
+        run("sofas", "info");
+        Files.setLastModifiedTime(project.resolve("build/install/built"),
+            FileTime.fromMillis(System.currentTimeMillis()));
+        run("sofas", "info");
+
+        String lib = " -cp " + project + "/build/install/lib/* io.github.sofas.cli.Main ";
+        String options = "-XX:+UseSerialGC --enable-native-access=ALL-UNNAMED -XX:SharedArchiveFile=" + project
+            + "/build/install/classes.jsa -Xlog:cds*=off";
+        List<String> lines = Files.readAllLines(calls);
+        assertEquals(List.of(options + lib + "info two words", options + lib + "info", options + lib + "info"),
+            List.of(lines.get(1), lines.get(2), lines.get(4)));
+        String keeping = "-XX:+UseSerialGC -XX:ArchiveClassesAtExit=" + project + "/build/install/classes.jsa.";
+        assertEquals(List.of(0, 3), IntStream.range(0, lines.size())
+            .filter(i -> lines.get(i).startsWith(keeping) && lines.get(i).contains(lib + "render ")).boxed().toList());
     }
 
     @Test
