@@ -1,5 +1,7 @@
 package io.github.sofas.flow;
 
+import java.util.Arrays;
+
 /**
  * The contour of a track plane: the cells that its live events fall on when projected to a reference time (paper,
  * section Track Plane), in pixels of the sensor at that time, ON and OFF counted apart.
@@ -118,6 +120,10 @@ final class Contour {
         int c = cy * width + cx;
         live.cell[i] = c;
         grid[c] += live.sign[i] > 0 ? ONE_ON : ONE_OFF;
+        include(cx, cy);
+    }
+
+    private void include(int cx, int cy) {
         if (cx <= minX) {
             minX = Math.max(1, cx - 1);
         }
@@ -147,11 +153,21 @@ final class Contour {
                 grid[c] = 0;
             }
         }
+        forgetBox();
+        threshold = LEAST_SUPPORT;
+    }
+
+    private void forgetBox() {
         minX = width;
         minY = height;
         maxX = 0;
         maxY = 0;
-        threshold = LEAST_SUPPORT;
+    }
+
+    private void follow(Motion along) {
+        motion.copyFrom(along);
+        fixedVx = Projection.fixed(motion.vx);
+        fixedVy = Projection.fixed(motion.vy);
     }
 
     /** Projects all live events anew, along another motion. */
@@ -161,9 +177,7 @@ final class Contour {
         int lastMaxX = maxX;
         int lastMaxY = maxY;
         clear(live);
-        motion.copyFrom(along);
-        fixedVx = Projection.fixed(motion.vx);
-        fixedVy = Projection.fixed(motion.vy);
+        follow(along);
         for (int k = 0; k < live.size(); k++) {
             add(live, live.index(k));
         }
@@ -175,6 +189,66 @@ final class Contour {
             maxY = lastMaxY;
         }
         measure(live);
+    }
+
+    /**
+     * Lists where the contour runs at its reference time, from its centre in px.
+     *
+     * @return how many points there are, also where there is not room for all
+     */
+    int list(float[] x, float[] y) {
+        int n = 0;
+        for (int cy = minY; cy <= maxY; cy++) {
+            for (int cx = minX; cx <= maxX; cx++) {
+                if (isContour(cy * width + cx)) {
+                    if (n < x.length) {
+                        x[n] = (float) (cx - MARGIN - centreX);
+                        y[n] = (float) (cy - MARGIN - centreY);
+                    }
+                    n++;
+                }
+            }
+        }
+        return n;
+    }
+
+    /** Whether an event of either polarity on an occupied cell is on the contour. */
+    private boolean isContour(int c) {
+        return grid[c] != 0 && Math.max(supportAt(c, 1), supportAt(c, -1)) >= threshold;
+    }
+
+    /**
+     * Draws a contour that does not depend on live events, and takes events of either polarity.
+     *
+     * @param x places of its points from the centre of a motion, before they turned by an angle
+     * @param knownRadius of the structure
+     */
+    void draw(float[] x, float[] y, int n, Motion along, double angle, double knownRadius) {
+        wipe();
+        follow(along);
+        double cos = StrictMath.cos(angle);
+        double sin = StrictMath.sin(angle);
+        for (int i = 0; i < n; i++) {
+            int cx = (int) Math.rint(motion.centreX + cos * x[i] - sin * y[i]) + MARGIN;
+            int cy = (int) Math.rint(motion.centreY + sin * x[i] + cos * y[i]) + MARGIN;
+            if (cx >= 1 && cy >= 1 && cx < width - 1 && cy < height - 1) {
+                // as many of both that two cells near are enough: an edge passes through as many
+                grid[cy * width + cx] = LEAST_SUPPORT / 2 * (ONE_ON + ONE_OFF);
+                include(cx, cy);
+            }
+        }
+        threshold = LEAST_SUPPORT;
+        centreX = motion.centreX;
+        centreY = motion.centreY;
+        radius = knownRadius;
+    }
+
+    /** Empties all cells. */
+    void wipe() {
+        for (int cy = minY; cy <= maxY; cy++) {
+            Arrays.fill(grid, cy * width + minX, cy * width + maxX + 1, 0);
+        }
+        forgetBox();
     }
 
     /** Measures threshold, centre and radius from some 256 of the live events. */
@@ -222,7 +296,7 @@ final class Contour {
         for (int cy = minY; cy <= maxY; cy++) {
             for (int cx = minX; cx <= maxX; cx++) {
                 int c = cy * width + cx;
-                if (grid[c] != 0 && Math.max(supportAt(c, 1), supportAt(c, -1)) >= threshold) {
+                if (isContour(c)) {
                     int x = cx + travelX - (int) Math.rint(turn * (cy - MARGIN - motion.centreY));
                     int y = cy + travelY + (int) Math.rint(turn * (cx - MARGIN - motion.centreX));
                     if (x >= 0 && x < width - 2 * MARGIN && y >= 0 && y < height - 2 * MARGIN) {

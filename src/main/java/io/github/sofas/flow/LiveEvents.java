@@ -40,6 +40,21 @@ final class LiveEvents {
         return timeUs[index(0)];
     }
 
+    /** How many events are later than a time. */
+    int since(long fromUs) {
+        int low = 0;
+        int high = size;
+        while (low < high) {
+            int middle = low + high >>> 1;
+            if (timeUs[index(middle)] > fromUs) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        return size - low;
+    }
+
     /** Appends an event, not on a contour yet, and returns its index. */
     int add(int eventX, int eventY, long eventUs, int polarity, boolean isShared, boolean isRemembered) {
         int i = head & MASK;

@@ -35,10 +35,11 @@ final class MemoryBound {
             + EVENTS * (RING_BYTES + SORTING_BYTES);
         long company = Integer.BYTES * (pixels + (sensor.width() + 2L) * (sensor.height() + 2L));
         long fit = Integer.BYTES * VoteGrid.cells(sensor.width(), sensor.height(), p.voteCellPx())
-            + LiveEvents.CAPACITY * FITTED_EVENT_BYTES;
+            + LiveEvents.CAPACITY * FITTED_EVENT_BYTES + Registration.bytes(sensor.width(), sensor.height())
+            + StrayEvents.CAPACITY * (Long.BYTES + 2L * Short.BYTES);
         long plane = Integer.BYTES * (sensor.width() + 2L * Contour.MARGIN) * (sensor.height() + 2L * Contour.MARGIN)
             + ((long) Integer.BYTES << Shape.bits(sensor.width()) + Shape.bits(sensor.height()))
-            + LiveEvents.CAPACITY * LIVE_EVENT_BYTES;
+            + LiveEvents.CAPACITY * LIVE_EVENT_BYTES + PlaceTrack.bytes();
         // one more ring, for merging
         return search + company + fit + p.maxTrackPlanes() * plane + LiveEvents.CAPACITY * LIVE_EVENT_BYTES;
     }

@@ -64,6 +64,13 @@ final class Motion {
         centreY = newY;
     }
 
+    /** Scales all velocities down. */
+    void slowDown(double factor) {
+        vx *= factor;
+        vy *= factor;
+        omega *= factor;
+    }
+
     /** Projects an event to the reference time, into {@link #x} and {@link #y}. */
     void project(int eventX, int eventY, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;

@@ -23,11 +23,7 @@ final class MotionChange {
     /** Begins with a steady motion. */
     void start(long nowUs) {
         path.start(nowUs);
-        along = 0;
-        across = 0;
-        omega = 0;
-        shownAcross = 0;
-        turnLoss = 0;
+        restart();
     }
 
     /**
@@ -83,6 +79,15 @@ final class MotionChange {
         motion.ax *= HELD;
         motion.ay *= HELD;
         motion.omega *= HELD;
+    }
+
+    /** Begins anew with a steady motion on the same path. */
+    void restart() {
+        along = 0;
+        across = 0;
+        omega = 0;
+        shownAcross = 0;
+        turnLoss = 0;
     }
 
     /** Goes on from a rotation that is known from elsewhere, in rad/s. */

@@ -86,9 +86,34 @@ final class Shape {
         double turn = now.omega * dt;
         originX += travelX - turn * (ry + 0.5 * turn * rx);
         originY += travelY + turn * (rx - 0.5 * turn * ry);
-        angle += turn;
+        turnTo(angle + turn);
+        goOn(now, memoryUs);
+    }
+
+    /**
+     * Moves the coordinates along with a structure from where its centre was to that of a motion, which they follow
+     * from then on.
+     *
+     * @param turned since it was there, in rad
+     */
+    void carry(double fromX, double fromY, double turned, Motion now, long memoryUs) {
+        double c = StrictMath.cos(turned);
+        double s = StrictMath.sin(turned);
+        double rx = originX - fromX;
+        double ry = originY - fromY;
+        originX = now.centreX + c * rx - s * ry;
+        originY = now.centreY + s * rx + c * ry;
+        turnTo(angle + turned);
+        goOn(now, memoryUs);
+    }
+
+    private void turnTo(double newAngle) {
+        angle = newAngle;
         cos = StrictMath.cos(angle);
         sin = StrictMath.sin(angle);
+    }
+
+    private void goOn(Motion now, long memoryUs) {
         motion.copyFrom(now);
         memoryTicks = (int) Math.min(memoryUs >> TICK_BITS, LAST_TICK / 2);
         if (now.referenceUs - epochUs >> TICK_BITS > LAST_TICK) {

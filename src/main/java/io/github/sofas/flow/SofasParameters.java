@@ -104,6 +104,9 @@ import java.lang.reflect.RecordComponent;
  *     Algorithm, without a number)
  * @param crowdedShare share of the expected events below which a track plane's motion is held while another structure
  *     may hide it, 0 to 1 (ours, because what is left is pulled by what hides it; {@code default} only)
+ * @param slowShare share of the expected events below which a track plane is followed by its place, 0 to 1 (ours,
+ *     because what slows down, stands or turns round travels too little for its velocity to be seen; {@code default}
+ *     only)
  * @param returnShare share of a new structure that must lie on the contour of one that was lost to be that one again,
  *     0 to 1 (ours, because what turns round or stops is still the same; {@code default} only)
  * @param mergeVelocity share of the speed by which two merging track planes may differ, 0 to 1 (ours, because the
@@ -231,6 +234,9 @@ public record SofasParameters(
     @Parameter(value = "share of the expected events below which a motion is held while another structure may hide it",
         min = 0, max = 1)
     double crowdedShare,
+    @Parameter(value = "share of the expected events below which a track plane is followed by its place",
+        min = 0, max = 1)
+    double slowShare,
     @Parameter(value = "share of a new structure that must lie on the contour of a lost one to be that one again",
         min = 0, max = 1)
     double returnShare,
@@ -269,7 +275,7 @@ public record SofasParameters(
             maxPerturbationDeg, contourThreshold, contourShare, memoryPx, maxMemoryUs, voteCellPx, sampleEvents,
             sampleDensity, neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight,
             maxBendPx, flatChange, changePx, changeGain, bendPx, pathPx, flatDecay, maxShared, maxTrackPlanes, minShare,
-            crowdedShare, returnShare, mergeVelocity, mergeLoss, mergeGapShare, pairGapShare);
+            crowdedShare, slowShare, returnShare, mergeVelocity, mergeLoss, mergeGapShare, pairGapShare);
         if (preset == Preset.DEFAULT) {
             requireInOrder("maxLifetimePx", maxLifetimePx, "lifetimePx", lifetimePx);
         }
@@ -316,7 +322,7 @@ public record SofasParameters(
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
             0.15, 0, 0, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, false, 1.5, 0.5, 0.07, 64,
-            0.05, 0.15, 64, 0.2, 0.85, 0.7, 0.15, 0.02, 0.8, 0);
+            0.05, 0.15, 64, 0.2, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 0);
     }
 
     /** The most accurate preset, and the one to start from. */
@@ -324,7 +330,7 @@ public record SofasParameters(
         return new SofasParameters(Preset.DEFAULT,
             12, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
             0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, true,
-            1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.7, 0.15, 0.02, 0.8, 2);
+            1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 2);
     }
 
     /** Velocity of a projection at an angle, in px/s. */
@@ -570,6 +576,11 @@ public record SofasParameters(
     /** The same with another {@link #crowdedShare}. */
     public SofasParameters withCrowdedShare(double value) {
         return with("crowdedShare", value);
+    }
+
+    /** The same with another {@link #slowShare}. */
+    public SofasParameters withSlowShare(double value) {
+        return with("slowShare", value);
     }
 
     /** The same with another {@link #returnShare}. */

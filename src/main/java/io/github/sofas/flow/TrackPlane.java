@@ -27,6 +27,15 @@ final class TrackPlane {
     private static final double ONE_SIDED = 0.7;
     /** Travel after which the other edges of a structure should have been found. */
     private static final double SETTLED_PX = 8;
+    /** Travel over which its events are counted, to tell whether it slows down. */
+    private static final double PACE_PX = 2;
+    /** Fewest events that are expected over it for that, and travel that the expectation is averaged over. */
+    private static final double PACE_EVENTS = 10;
+    private static final double PACE_MEMORY_PX = 32;
+    /** Distance of boxes within which another structure may hide events of this one. */
+    private static final double BESIDE_PX = 2;
+    /** Distance from the sensor's border within which events may be missing. */
+    private static final double BORDER_PX = 3;
     /** Travel after which pieces of one structure should have merged. */
     private static final double WHOLE_PX = 32;
 
@@ -51,7 +60,14 @@ final class TrackPlane {
     private double usualDensity;
     private boolean hidden;
     private boolean crowded;
+    /** Whether another structure is so near that either may hide events of the other. */
+    private boolean accompanied;
     private long hiddenUs;
+    private final PlaceTrack place = new PlaceTrack();
+    private boolean byPlace;
+    /** Live events a px that it has had of late, and when that was asked. */
+    private double paceDensity;
+    private long pacedUs;
     /** When it was found, or found again. */
     private long appearedUs;
 
@@ -86,6 +102,10 @@ final class TrackPlane {
         usualDensity = 0;
         hidden = false;
         crowded = false;
+        accompanied = false;
+        byPlace = false;
+        paceDensity = 0;
+        pacedUs = nowUs;
         loss.clear();
         density = 0;
         widen = 1;
@@ -133,9 +153,13 @@ final class TrackPlane {
      * @param remembered whether it lies where the contour was, and no live event is near
      */
     void take(int x, int y, long timeUs, int polarity, boolean shared, boolean remembered, MetricFit fit) {
-        append(x, y, timeUs, polarity, shared, remembered);
         events++;
         lastUs = timeUs;
+        if (byPlace) {
+            gather(x, y, timeUs, polarity);
+            return;
+        }
+        append(x, y, timeUs, polarity, shared, remembered);
         sinceMeasured++;
         if (sinceMeasured >= Math.max(40, Math.max(sample() / 4, live.size() / 12))) {
             recentre(fit, timeUs);
@@ -147,6 +171,14 @@ final class TrackPlane {
             dropOldest();
         }
         contour.add(live, live.add(x, y, timeUs, polarity, shared, remembered));
+    }
+
+    /** Keeps an event to be measured later, while the contour does not depend on live events. */
+    private void gather(int x, int y, long timeUs, int polarity) {
+        if (live.isFull()) {
+            live.removeOldest();
+        }
+        live.add(x, y, timeUs, polarity, false, false);
     }
 
     private void dropOldest() {
@@ -188,6 +220,9 @@ final class TrackPlane {
      * hidden for longer than it remembers its contour, or has left the sensor.
      */
     boolean isGone(long nowUs, SensorSize sensor) {
+        if (byPlace) {
+            return nowUs - hiddenUs >= p.maxMemoryUs() || hasLeft(nowUs, sensor);
+        }
         expire(nowUs);
         if (!hasFewerThan(p.minShare())) {
             hidden = false;
@@ -197,17 +232,20 @@ final class TrackPlane {
             hidden = true;
             hiddenUs = nowUs;
         }
+        return events < LEAST_HIDDEN || nowUs - hiddenUs >= memoryUs() || hasLeft(nowUs, sensor);
+    }
+
+    private boolean hasLeft(long nowUs, SensorSize sensor) {
         double x = travelX(nowUs);
         double y = travelY(nowUs);
-        return events < LEAST_HIDDEN || nowUs - hiddenUs >= memoryUs()
-            || contour.right() + x < 0 || contour.left() + x >= sensor.width()
+        return contour.right() + x < 0 || contour.left() + x >= sensor.width()
             || contour.bottom() + y < 0 || contour.top() + y >= sensor.height();
     }
 
     /** Measures the motion of a structure that gets few events and would else wait long. */
     void measureIfLate(MetricFit fit, long nowUs) {
         long since = nowUs - measuredUs;
-        if (sinceMeasured > 0 && since > 20_000 && since > lifetimeUs / 4) {
+        if (!byPlace && sinceMeasured > 0 && since > 20_000 && since > lifetimeUs / 4) {
             recentre(fit, nowUs);
         }
     }
@@ -237,6 +275,116 @@ final class TrackPlane {
         lifetimeUs = lifetime();
         shape.follow(contour.motion(), memoryUs());
         expire(nowUs);
+    }
+
+    boolean isFollowedByPlace() {
+        return byPlace;
+    }
+
+    /**
+     * Follows a structure by its place that slows down, until it moves well again.
+     *
+     * @param strays events that no plane took
+     */
+    void followPlace(StrayEvents strays, Registration registration, MetricFit fit, SensorSize sensor, long nowUs) {
+        if (byPlace ? !place.isDue(contour, live, strays, nowUs) : !slowsDown(nowUs, sensor) || !leavePace(nowUs)) {
+            return;
+        }
+        double fromX = motion.centreX;
+        double fromY = motion.centreY;
+        double fromAngle = place.angle();
+        place.follow(motion, live, strays, registration, usualDensity, nowUs);
+        place.draw(contour, motion);
+        shape.carry(fromX, fromY, place.angle() - fromAngle, motion, memoryUs());
+        long fromUs = place.movesSince(motion);
+        if (fromUs < nowUs) {
+            findPace(fromUs, fit, nowUs);
+        }
+    }
+
+    /**
+     * Whether a structure that was tracked well, with none beside it that may hide it, has in the last two px of its
+     * travel fewer events than a share of what it had: as events come by the px, it then travels less than is thought.
+     */
+    private boolean slowsDown(long nowUs, SensorSize sensor) {
+        double travelledPx = motion.speed(contour.radius()) * (nowUs - pacedUs) * 1e-6;
+        double density = live.size() / lifetimePx;
+        paceDensity = Math.max(density,
+            paceDensity - (paceDensity - density) * Math.min(1, travelledPx / PACE_MEMORY_PX));
+        pacedUs = nowUs;
+        if (hidden || accompanied || crowded || events < LEAST_HIDDEN || measurements <= LEAST_FULL
+                || !isSettled(nowUs) || !isInside(nowUs, sensor)) {
+            return false;
+        }
+        double speed = speedAt(nowUs);
+        long spanUs = paceUs(speed);
+        double expected = paceDensity * speed * spanUs * 1e-6;
+        return expected > PACE_EVENTS && live.since(nowUs - spanUs) < p.slowShare() * expected;
+    }
+
+    /** Speed as far as the acceleration tells. */
+    private double speedAt(long timeUs) {
+        double dt = (timeUs - motion.referenceUs) * 1e-6;
+        double turning = motion.omega * contour.radius();
+        double vx = motion.vx + motion.ax * dt;
+        double vy = motion.vy + motion.ay * dt;
+        return Math.sqrt(vx * vx + vy * vy + turning * turning);
+    }
+
+    private long paceUs(double speed) {
+        return Math.min(lifetimeUs, (long) (PACE_PX / Math.max(speed, 1e-3) * 1e6));
+    }
+
+    /** Whether its box is on the sensor, so that none of its events are missing. */
+    private boolean isInside(long nowUs, SensorSize sensor) {
+        double x = travelX(nowUs);
+        double y = travelY(nowUs);
+        return contour.left() + x >= BORDER_PX && contour.right() + x < sensor.width() - BORDER_PX
+            && contour.top() + y >= BORDER_PX && contour.bottom() + y < sensor.height() - BORDER_PX;
+    }
+
+    /** Lets the live events go, and keeps the contour that they drew; false where that is too large. */
+    private boolean leavePace(long nowUs) {
+        double speed = motion.speed(contour.radius());
+        double now = speedAt(nowUs);
+        long spanUs = paceUs(now);
+        double share = live.since(nowUs - spanUs) / Math.max(1, paceDensity * now * spanUs * 1e-6);
+        double turned = motion.omega * (nowUs - motion.referenceUs) * 1e-6;
+        if (!place.start(contour, turned, speed, p.lifetimePx(), nowUs - spanUs)) {
+            return false;
+        }
+        motion.moveReference(nowUs);
+        motion.ax = 0;
+        motion.ay = 0;
+        shape.follow(motion, memoryUs());
+        motion.vx *= share;
+        motion.vy *= share;
+        while (live.size() > 0) {
+            dropOldest();
+        }
+        byPlace = true;
+        hidden = true;
+        hiddenUs = nowUs;
+        return true;
+    }
+
+    /** Goes on measuring, from the events since a time. */
+    private void findPace(long fromUs, MetricFit fit, long nowUs) {
+        byPlace = false;
+        paceDensity = 0;
+        while (live.size() > 0 && live.oldestUs() < fromUs) {
+            live.removeOldest();
+        }
+        contour.wipe();
+        contour.project(live, motion);
+        change.restart();
+        loss.clear();
+        widen = 1;
+        measurements = 0;
+        lifetimePx = p.lifetimePx();
+        lifetimeUs = Math.max(lifetime(), nowUs - fromUs);
+        usualDensity = live.size() / lifetimePx;
+        recentre(fit, nowUs);
     }
 
     /** Time in which the structure travels the pixels that it remembers its contour for. */
@@ -357,7 +505,7 @@ final class TrackPlane {
      * @param common is left with that motion
      */
     boolean describesSameAs(TrackPlane other, CommonMotion common, long nowUs) {
-        if (live.size() + other.live.size() == 0) {
+        if (byPlace || other.byPlace || live.size() + other.live.size() == 0) {
             return false;
         }
         double gap = Math.max(4, p.mergeGapShare() * Math.min(contour.extent(), other.contour.extent()));
@@ -388,7 +536,7 @@ final class TrackPlane {
 
     /** Whether it was lost, and found again so short a time ago that more of its pieces may be found. */
     boolean hasJustReappeared(long nowUs) {
-        return appearedUs > firstUs && !isSettled(nowUs);
+        return appearedUs > firstUs && !byPlace && !isSettled(nowUs);
     }
 
     /** Loads the contour, to be looked for on the shapes of others. */
@@ -422,6 +570,15 @@ final class TrackPlane {
 
     void setCrowded(boolean isCrowded) {
         crowded = isCrowded;
+    }
+
+    void setAccompanied(boolean isAccompanied) {
+        accompanied = isAccompanied;
+    }
+
+    /** Whether the boxes of two structures touch, so that either may hide events of the other. */
+    boolean isBeside(TrackPlane other, long nowUs) {
+        return isNear(other, nowUs, BESIDE_PX);
     }
 
     /** Whether the boxes of two structures overlap, so that one may hide the other; new pieces may be of one. */
@@ -494,7 +651,7 @@ final class TrackPlane {
 
     /** Lets all events go, so that the plane can serve another structure. */
     void clear() {
-        contour.clear(live);
+        contour.wipe();
         live.clear();
     }
 

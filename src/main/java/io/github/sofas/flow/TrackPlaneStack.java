@@ -27,6 +27,8 @@ final class TrackPlaneStack {
     private LiveEvents spare = new LiveEvents();
     private final CommonMotion common = new CommonMotion();
     private final Reappearance reappearance = new Reappearance();
+    private final StrayEvents strays = new StrayEvents();
+    private final Registration registration;
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
@@ -40,6 +42,7 @@ final class TrackPlaneStack {
         this.fit = fit;
         this.ended = ended;
         planes = new TrackPlane[p.maxTrackPlanes()];
+        registration = new Registration(sensor.width(), sensor.height());
     }
 
     /** The plane that an event belongs to, or null. */
@@ -49,6 +52,9 @@ final class TrackPlaneStack {
         double secondRate = 0;
         for (int i = 0; i < size; i++) {
             TrackPlane plane = planes[i];
+            if (plane.isFollowedByPlace()) {
+                continue;
+            }
             int support = plane.support(x, y, timeUs, polarity);
             if (support >= plane.threshold()) {
                 double rate = (double) support / plane.lifetimeUs();
@@ -64,11 +70,28 @@ final class TrackPlaneStack {
         remembered = best == null;
         if (remembered) {
             shared = false;
-            return remembering(x, y, timeUs);
+            best = slowed(x, y, timeUs, polarity);
+            if (best == null) {
+                best = remembering(x, y, timeUs);
+            }
+            if (best == null) {
+                strays.add(x, y, timeUs);
+            }
+            return best;
         }
         shared = secondRate > p.sharedScore() * bestRate
             || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
         return best;
+    }
+
+    /** The plane that is followed by its place, and whose contour an event lies on. */
+    private TrackPlane slowed(int x, int y, long timeUs, int polarity) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i].isFollowedByPlace() && planes[i].support(x, y, timeUs, polarity) >= planes[i].threshold()) {
+                return planes[i];
+            }
+        }
+        return null;
     }
 
     /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
@@ -114,6 +137,9 @@ final class TrackPlaneStack {
         }
         findCrowds(nowUs);
         for (int i = 0; i < size; i++) {
+            planes[i].followPlace(strays, registration, fit, sensor, nowUs);
+        }
+        for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
                 if (planes[i].describesSameAs(planes[j], common, nowUs)) {
                     merge(i, j, nowUs);
@@ -125,12 +151,17 @@ final class TrackPlaneStack {
     private void findCrowds(long nowUs) {
         for (int i = 0; i < size; i++) {
             planes[i].setCrowded(false);
+            planes[i].setAccompanied(false);
         }
         for (int i = 0; i < size; i++) {
             for (int j = i + 1; j < size; j++) {
                 if (planes[i].overlaps(planes[j], nowUs)) {
                     planes[i].setCrowded(true);
                     planes[j].setCrowded(true);
+                }
+                if (planes[i].isBeside(planes[j], nowUs)) {
+                    planes[i].setAccompanied(true);
+                    planes[j].setAccompanied(true);
                 }
             }
         }
@@ -226,6 +257,7 @@ final class TrackPlaneStack {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
+        strays.clear();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }

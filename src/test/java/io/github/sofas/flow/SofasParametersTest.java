@@ -63,6 +63,7 @@ public class SofasParametersTest {
         maxTrackPlanes 64 64
         minShare 0.2 0.3
         crowdedShare 0.85 0.85
+        slowShare 0.45 0.45
         returnShare 0.7 0.7
         mergeVelocity 0.15 0.15
         mergeLoss 0.02 0.02

@@ -407,6 +407,26 @@ public abstract class TrackPlaneProperties extends FlowPlaneProperties {
         return 1f;
     }
 
+    /** The parameter {@link SofasParameters#slowShare}. */
+    public float getSlowShare() {
+        return (float) number("slowShare");
+    }
+
+    /** Sets {@link #getSlowShare}. */
+    public void setSlowShare(float value) {
+        set("slowShare", value);
+    }
+
+    /** Left end of its slider. */
+    public float getMinSlowShare() {
+        return 0f;
+    }
+
+    /** Right end of its slider. */
+    public float getMaxSlowShare() {
+        return 1f;
+    }
+
     /** The parameter {@link SofasParameters#returnShare}. */
     public float getReturnShare() {
         return (float) number("returnShare");
