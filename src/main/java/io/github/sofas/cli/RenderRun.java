@@ -4,7 +4,6 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.export.FlowCsvReader;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
@@ -97,7 +96,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
     Outcome run(ResultFiles files) throws EventSourceException, IOException {
         long start = System.nanoTime();
         try (RecordingReader reader = Recordings.open(recording, options);
-                FlowCsvReader labelled = flow == null ? null : FlowCsvReader.open(flow);
+                StoredLabels labelled = flow == null ? null : StoredLabels.open(flow, recording, reader, BATCH);
                 Film film = film(files)) {
             SensorSize sensor = reader.sensor();
             PictureSheet sheet;
@@ -107,8 +106,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                 throw new EventSourceException("[" + recording.getFileName() + "] " + e.getMessage(), e);
             }
             Queue<GreyFrame> frames = new ArrayDeque<>();
-            boolean wantsFrames = pictures.panels().contains(Panel.GREY);
-            if (wantsFrames) {
+            if (pictures.panels().contains(Panel.GREY)) {
                 reader.onFrame(frame -> {
                     frames.add(frame);
                     if (frames.size() > MOST_FRAMES) {
@@ -122,15 +120,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             FlowOutput labels = new FlowOutput(BATCH);
             EventSourceException damage = null;
             try {
-                EventBatch alongside = new EventBatch(BATCH);
                 while (!shooting.isOver() && (labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
-                    if (labelled != null && wantsFrames) {
-                        // the frames of the batch's time are in the recording only
-                        long untilUs = batch.timeUs[batch.size() - 1];
-                        while (reader.lastTimeUs() <= untilUs && reader.next(alongside)) {
-                            alongside.clear();
-                        }
-                    }
                     shooting.take(batch, labels);
                 }
             } catch (EventSourceException e) {

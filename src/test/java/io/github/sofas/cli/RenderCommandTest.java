@@ -70,6 +70,32 @@ public class RenderCommandTest {
         assertTrue(different + " pixels, whose colours lay on the border between two", different <= 5);
     }
 
+    /** A recording of three events, as text, and results in which they are told as in the lines. */
+    private Executed renderThreeEvents(String... lines) throws IOException {
+        Path recording = folder.getRoot().toPath().resolve("three.txt");
+        Files.writeString(recording, "0.001 5 6 1\n0.002 7 8 0\n0.003 9 10 1\n");
+        Path results = Files.createDirectories(folder.getRoot().toPath().resolve("results"));
+        Files.writeString(results.resolve("three.flow.csv"),
+            "t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,segment\n" + String.join("\n", lines) + "\n");
+        return Executed.command("render", recording.toString(), "--chip", "32x32", "--results", results.toString(),
+            "--out", folder.getRoot().toString(), "-q", "--force");
+    }
+
+    @Test
+    public void resultsMustBeOfTheRecordingsEvents() throws IOException {
+        String[] events = {"1000,5,6,1,,,0", "2000,7,8,-1,20.5,-3,1", "3000,9,10,1,,,0"};
+        assertEquals("", renderThreeEvents(events).err);
+
+        Executed other = renderThreeEvents(events[0], "2000,8,8,-1,,,0", events[2]);
+        assertEquals("[three.flow.csv] line 3: must be event 1 of three.txt, 2000,7,8,-1, but was 2000,8,8,-1\n",
+            other.err);
+        assertEquals(1, other.exitCode);
+        assertEquals("[three.flow.csv] line 4: must be event 2 of three.txt, 3000,9,10,1, but the file ends\n",
+            renderThreeEvents(events[0], events[1]).err);
+        assertEquals("[three.flow.csv] line 5: must end with the 3 events of three.txt but goes on with 4000,1,1,1\n",
+            renderThreeEvents(events[0], events[1], events[2], "4000,1,1,1,,,0").err);
+    }
+
     private static List<int[]> pictures(byte[] zip) throws IOException {
         List<int[]> pictures = new ArrayList<>();
         try (ZipInputStream in = new ZipInputStream(new ByteArrayInputStream(zip))) {
