@@ -36,6 +36,8 @@ final class DifferenceEncoder {
     private final Macroblock block;
     /** Which blocks of 16 x 16 are predicted as ground. */
     private final boolean[] isGround;
+    /** Blocks that were not written since the last that was. */
+    private int skipped;
     /** Ground of each row of pixels of a row of blocks, in each plane: as it is given now, and as the player saw it. */
     private final byte[][] groundNow = {new byte[16], new byte[8], new byte[8]};
     private final byte[][] groundSeen = {new byte[16], new byte[8], new byte[8]};
@@ -62,40 +64,52 @@ final class DifferenceEncoder {
      */
     void encode(Picture picture, boolean[] changed, CoefficientWriter bits) {
         block.begin();
-        int skipped = 0;
+        skipped = 0;
         for (int row = 0; row < rows; row++) {
             boolean groundStays = findGround(picture, row) && columns * 16 <= FARTHEST;
             for (int column = 0; column < columns; column++) {
-                int at = row * columns + column;
-                boolean skipsToGround = column > 0 && row > 0 && isGround[at - 1] && isGround[at - columns];
-                boolean fromGround = groundStays && (changed[at] || skipsToGround)
-                    && isNearerToGround(picture, column, row, skipsToGround);
-                isGround[at] = fromGround;
-                int pattern = fromGround || changed[at] ? transform(picture, column, row, fromGround) : 0;
-                if (fromGround) {
-                    paintGround(column, row);
-                }
-                if (pattern == 0 && fromGround == skipsToGround) {
-                    skipped++;
-                    continue;
-                }
-                bits.writeUnsigned(skipped);
-                skipped = 0;
-                bits.writeUnsigned(MBType.P_16x16.code());
-                int farther = (fromGround ? 1 : 0) - (expectsGround(column, row) ? 1 : 0);
-                bits.writeSigned(farther * columns * 16 * QUARTERS);
-                bits.writeSigned(0);
-                bits.writeUnsigned(H264Const.CODED_BLOCK_PATTERN_INTER_COLOR_INV[pattern]);
-                if (pattern > 0) {
-                    // no change of coarseness
-                    bits.writeSigned(0);
-                    block.writeLuma(column, row, pattern & 15, bits);
-                    block.writeColour(column, row, pattern >> 4, bits);
-                }
+                encode(picture, column, row, changed[row * columns + column], groundStays, bits);
             }
         }
         if (skipped > 0) {
             bits.writeUnsigned(skipped);
+        }
+    }
+
+    private void encode(Picture picture, int column, int row, boolean hasChanged, boolean groundStays,
+                        CoefficientWriter bits) {
+        int at = row * columns + column;
+        boolean skipsToGround = column > 0 && row > 0 && isGround[at - 1] && isGround[at - columns];
+        int parts = hasChanged ? differing(picture, 0, column, row, false) : 0;
+        boolean fromGround = false;
+        if (groundStays && (hasChanged || skipsToGround)) {
+            // nearer is what fewer of the 16 parts differ from
+            int besideGround = differing(picture, 0, column, row, true);
+            int fewer = Integer.bitCount(parts) - Integer.bitCount(besideGround);
+            fromGround = fewer > 0 || fewer == 0 && skipsToGround;
+            parts = fromGround ? besideGround : parts;
+        }
+        isGround[at] = fromGround;
+        int pattern = fromGround || hasChanged ? transform(picture, column, row, fromGround, parts) : 0;
+        if (fromGround) {
+            paintGround(column, row);
+        }
+        if (pattern == 0 && fromGround == skipsToGround) {
+            skipped++;
+            return;
+        }
+        bits.writeUnsigned(skipped);
+        skipped = 0;
+        bits.writeUnsigned(MBType.P_16x16.code());
+        int farther = (fromGround ? 1 : 0) - (expectsGround(column, row) ? 1 : 0);
+        bits.writeSigned(farther * columns * 16 * QUARTERS);
+        bits.writeSigned(0);
+        bits.writeUnsigned(H264Const.CODED_BLOCK_PATTERN_INTER_COLOR_INV[pattern]);
+        if (pattern > 0) {
+            // no change of coarseness
+            bits.writeSigned(0);
+            block.writeLuma(column, row, pattern & 15, bits);
+            block.writeColour(column, row, pattern >> 4, bits);
         }
     }
 
@@ -114,16 +128,23 @@ final class DifferenceEncoder {
         return stays;
     }
 
-    /** Whether fewer of a block's 16 parts differ from the ground than from the picture before. */
-    private boolean isNearerToGround(Picture picture, int column, int row, boolean ifAsNear) {
-        int stride = columns << 4;
-        int balance = 0;
-        for (int i = 0; i < 16; i++) {
-            int at = block.place(i, 0, column, row);
-            balance += hasChanged(picture, 0, at, stride) ? 1 : 0;
-            balance -= differsFromGround(picture, 0, at, stride, i >> 2 << 2) ? 1 : 0;
+    /** The parts of 4 x 4 values of a block in a plane that differ from the ground or the picture before, as bits. */
+    private int differing(Picture picture, int plane, int column, int row, boolean fromGround) {
+        int stride = columns * Macroblock.side(plane);
+        int parts = plane == 0 ? 16 : 4;
+        int differing = 0;
+        for (int i = 0; i < parts; i++) {
+            int at = block.place(i, plane, column, row);
+            boolean differs = fromGround ? differsFromGround(picture, plane, at, stride, groundRow(i, plane))
+                : hasChanged(picture, plane, at, stride);
+            differing |= differs ? 1 << i : 0;
         }
-        return balance > 0 || balance == 0 && ifAsNear;
+        return differing;
+    }
+
+    /** The first row of a part in its block. */
+    private static int groundRow(int part, int plane) {
+        return plane == 0 ? part >> 2 << 2 : part >> 1 << 2;
     }
 
     /** Whether a block whose place is not told is expected to be ground, as most of its neighbours are. */
@@ -139,57 +160,44 @@ final class DifferenceEncoder {
         return left && (above || corner) || above && corner;
     }
 
-    /** Transforms the differences to what is predicted; the coded block pattern. */
-    private int transform(Picture picture, int column, int row, boolean fromGround) {
-        int differing = 0;
-        for (int i = 0; i < 16; i++) {
-            if (subtract(picture, 0, block.place(i, 0, column, row), fromGround ? i >> 2 << 2 : -1, block.luma[i])) {
-                differing |= 1 << i;
-            }
+    /** Transforms the differences to what is predicted, of brightness in the parts given; the coded block pattern. */
+    private int transform(Picture picture, int column, int row, boolean fromGround, int lumaParts) {
+        for (int rest = lumaParts; rest != 0; rest &= rest - 1) {
+            int i = Integer.numberOfTrailingZeros(rest);
+            subtract(picture, 0, block.place(i, 0, column, row), fromGround ? groundRow(i, 0) : -1, block.luma[i]);
         }
-        int quarters = block.transformLuma(differing);
-        differing = 0;
+        int quarters = block.transformLuma(lumaParts);
+        int colourParts = 0;
         int greatest = 0;
         for (int k = 0; k < 2; k++) {
-            for (int i = 0; i < 4; i++) {
-                int[] part = block.colour[k][i];
-                if (subtract(picture, k + 1, block.place(i, k + 1, column, row), fromGround ? i >> 1 << 2 : -1, part)) {
-                    differing |= 1 << 4 * k + i;
-                    for (int difference : part) {
-                        greatest = Math.max(greatest, Math.abs(difference));
-                    }
-                }
+            int parts = differing(picture, k + 1, column, row, fromGround);
+            for (int rest = parts; rest != 0; rest &= rest - 1) {
+                int i = Integer.numberOfTrailingZeros(rest);
+                greatest = Math.max(greatest, subtract(picture, k + 1, block.place(i, k + 1, column, row),
+                    fromGround ? groundRow(i, 1) : -1, block.colour[k][i]));
             }
+            colourParts |= parts << 4 * k;
         }
-        return quarters | (greatest > UNSEEN ? block.transformColour(differing) << 4 : 0);
+        return quarters | (greatest > UNSEEN ? block.transformColour(colourParts) << 4 : 0);
     }
 
     /**
-     * Takes the difference of 4 x 4 values to what is predicted, where they are other than it was meant to be.
+     * Takes the difference of 4 x 4 values to what is predicted.
      *
      * @param groundRow row in the block, where ground is predicted; -1 where the picture before is
+     * @return the greatest difference
      */
-    private boolean subtract(Picture picture, int plane, int at, int groundRow, int[] part) {
+    private int subtract(Picture picture, int plane, int at, int groundRow, int[] part) {
         int stride = columns * Macroblock.side(plane);
         byte[] now = picture.getPlaneData(plane);
-        if (groundRow >= 0) {
-            if (!differsFromGround(picture, plane, at, stride, groundRow)) {
-                return false;
-            }
-            for (int i = 0; i < 16; i++) {
-                part[i] = now[at + (i >> 2) * stride + (i & 3)] - groundSeen[plane][groundRow + (i >> 2)];
-            }
-            return true;
-        }
-        if (!hasChanged(picture, plane, at, stride)) {
-            return false;
-        }
         byte[] then = seen.getPlaneData(plane);
+        int greatest = 0;
         for (int i = 0; i < 16; i++) {
             int pixel = at + (i >> 2) * stride + (i & 3);
-            part[i] = now[pixel] - then[pixel];
+            part[i] = now[pixel] - (groundRow < 0 ? then[pixel] : groundSeen[plane][groundRow + (i >> 2)]);
+            greatest = Math.max(greatest, Math.abs(part[i]));
         }
-        return true;
+        return greatest;
     }
 
     /** Whether 4 x 4 values have. */

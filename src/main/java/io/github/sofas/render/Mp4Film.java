@@ -80,19 +80,24 @@ public final class Mp4Film implements Film {
     private void convert(int[] rgb, int width, int height) {
         Arrays.fill(changed, false);
         for (int y = 0; y < height; y += 2) {
-            int at = y * width;
-            int upper = next(rgb, at, at + width);
-            int lower = next(rgb, at + width, at + 2 * width) - width;
-            while (Math.min(upper, lower) < at + width) {
-                int from = at + (Math.min(upper, lower) - at) / STRIP * STRIP;
-                convertStrip(rgb, from, width, (y >> 1) * (width >> 1) + (from - at >> 1));
-                System.arraycopy(rgb, from, before, from, STRIP);
-                System.arraycopy(rgb, from + width, before, from + width, STRIP);
-                changed[(y / STRIP) * (width / STRIP) + (from - at) / STRIP] = true;
-                int rest = from + STRIP;
-                upper = upper >= rest ? upper : next(rgb, rest, at + width);
-                lower = lower >= rest ? lower : next(rgb, rest + width, at + 2 * width) - width;
-            }
+            convertRows(rgb, width, y);
+        }
+    }
+
+    /** Converts two rows of pixels, which share their colours. */
+    private void convertRows(int[] rgb, int width, int y) {
+        int at = y * width;
+        int upper = next(rgb, at, at + width);
+        int lower = next(rgb, at + width, at + 2 * width) - width;
+        while (Math.min(upper, lower) < at + width) {
+            int from = at + (Math.min(upper, lower) - at) / STRIP * STRIP;
+            convertStrip(rgb, from, width, (y >> 1) * (width >> 1) + (from - at >> 1));
+            System.arraycopy(rgb, from, before, from, STRIP);
+            System.arraycopy(rgb, from + width, before, from + width, STRIP);
+            changed[(y / STRIP) * (width / STRIP) + (from - at) / STRIP] = true;
+            int rest = from + STRIP;
+            upper = upper >= rest ? upper : next(rgb, rest, at + width);
+            lower = lower >= rest ? lower : next(rgb, rest + width, at + 2 * width) - width;
         }
     }
 

@@ -34,6 +34,9 @@ public final class PictureSheet {
     private static final int MOST_PIXELS = 36_864 * BLOCK * BLOCK;
     /** Fewest exposed pixels of a segment that is named and gets an arrow: fewer are specks. */
     private static final int LEAST_PIXELS = 12;
+    /** Speeds that the full colour may stand for, px/s. */
+    private static final int[] SPEEDS = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000,
+        100_000};
 
     private final SensorSize sensor;
     private final PictureOptions options;
@@ -56,8 +59,9 @@ public final class PictureSheet {
     private final int[] order;
     private final int[] place;
     private int ordered;
-    /** Pixels that the picture shows, and the place of their segment among those seen. */
+    /** Pixels that the picture shows, where in a panel, and the place of their segment among those seen. */
     private final int[] exposed;
+    private final int[] exposedPlace;
     private final int[] exposedSegment;
     private int exposedPixels;
 
@@ -65,7 +69,8 @@ public final class PictureSheet {
     private GreyFrame frame;
 
     private double fullPxPerS;
-    private final int[] speeds = new int[16];
+    /** How many pixels are as fast as each of {@link #SPEEDS}. */
+    private final int[] speeds = new int[SPEEDS.length];
     private final SeenSegments seen = new SeenSegments();
 
     private final BufferedImage picture;
@@ -106,6 +111,7 @@ public final class PictureSheet {
         order = new int[2 * n];
         place = new int[n];
         exposed = new int[n];
+        exposedPlace = new int[n];
         exposedSegment = new int[n];
         int columns = Math.min(2, options.panels().size());
         int rows = (options.panels().size() + 1) / 2;
@@ -250,21 +256,13 @@ public final class PictureSheet {
         seen.clear();
         Arrays.fill(speeds, 0);
         exposedPixels = 0;
-        int withFlow = 0;
         for (int i = ordered - 1; i >= 0 && isExposed(order[i], timeUs); i--) {
-            int at = order[i];
-            if (place[at] != i) {
-                continue;
+            if (place[order[i]] == i) {
+                expose(order[i]);
             }
-            if (segment[at] != 0) {
-                exposedSegment[exposedPixels] = seen.add(segment[at], at % sensor.width(), at / sensor.width(), vx[at],
-                    vy[at]);
-                speeds[step(Math.sqrt(vx[at] * vx[at] + vy[at] * vy[at]))]++;
-                withFlow++;
-            }
-            exposed[exposedPixels++] = at;
         }
         segmentColours.assign(seen);
+        int withFlow = Arrays.stream(speeds).sum();
         if (options.fullPxPerS() == 0 && withFlow > 100) {
             // the step below which nine tenths of the pixels are
             int below = 0;
@@ -272,26 +270,33 @@ public final class PictureSheet {
             while (below + speeds[k] < 0.9 * withFlow) {
                 below += speeds[k++];
             }
-            fullPxPerS = Math.max(fullPxPerS, speedOfStep(k));
+            fullPxPerS = Math.max(fullPxPerS, SPEEDS[k]);
         }
     }
 
-    /** Least step, 1, 2, 5, 10 and so on px/s, that is not below a speed. */
-    private static int step(double pxPerS) {
+    /** Takes a pixel that is exposed. */
+    private void expose(int at) {
+        int x = at % sensor.width();
+        int y = at / sensor.width();
+        if (segment[at] != 0) {
+            exposedSegment[exposedPixels] = seen.add(segment[at], x, y, vx[at], vy[at]);
+            speeds[step(vx[at] * vx[at] + vy[at] * vy[at])]++;
+        }
+        int column = x - crop.x();
+        int row = y - crop.y();
+        if (column >= 0 && column < crop.width() && row >= 0 && row < crop.height()) {
+            exposed[exposedPixels] = at;
+            exposedPlace[exposedPixels++] = (row * width + column) * scale;
+        }
+    }
+
+    /** Least of {@link #SPEEDS} that is not below a speed, whose square is given. */
+    private static int step(float square) {
         int k = 0;
-        while (k < 15 && speedOfStep(k) < pxPerS) {
+        while (k < SPEEDS.length - 1 && SPEEDS[k] * (float) SPEEDS[k] < square) {
             k++;
         }
         return k;
-    }
-
-    private static double speedOfStep(int k) {
-        double[] steps = {1, 2, 5};
-        double power = 1;
-        for (int i = 0; i < k / 3; i++) {
-            power *= 10;
-        }
-        return steps[k % 3] * power;
     }
 
     private void paintFrame(int k) {
@@ -314,23 +319,20 @@ public final class PictureSheet {
         }
         int[] colours = new int[seen.size()];
         Arrays.setAll(colours, i -> segmentColours.rgb(seen.id(i)));
+        int corner = top(k) * width + left(k);
         for (int i = 0; i < exposedPixels; i++) {
-            int at = exposed[i];
-            int column = at % sensor.width() - crop.x();
-            int row = at / sensor.width() - crop.y();
-            if (column < 0 || column >= crop.width() || row < 0 || row >= crop.height()) {
-                continue;
-            }
-            int rgb = theme.faint;
-            if (panel == Panel.EVENTS) {
-                rgb = polarity[at] > 0 ? theme.on : theme.off;
-            } else if (segment[at] != 0 && panel == Panel.FLOW) {
-                rgb = flowColours.rgb(vx[at], vy[at], fullPxPerS);
-            } else if (segment[at] != 0 && panel == Panel.SEGMENTS) {
-                rgb = colours[exposedSegment[i]];
-            }
-            fill((top(k) + row * scale) * width + left(k) + column * scale, rgb);
+            fill(corner + exposedPlace[i], colour(panel, exposed[i], exposedSegment[i], colours));
         }
+    }
+
+    /** The colour of a pixel's event, of one of the segments seen, whose colours are given. */
+    private int colour(Panel panel, int at, int seenSegment, int[] colours) {
+        if (panel == Panel.EVENTS) {
+            return polarity[at] > 0 ? theme.on : theme.off;
+        } else if (segment[at] == 0 || panel == Panel.CONTOURS) {
+            return theme.faint;
+        }
+        return panel == Panel.FLOW ? flowColours.rgb(vx[at], vy[at], fullPxPerS) : colours[seenSegment];
     }
 
     private void fill(int to, int rgb) {

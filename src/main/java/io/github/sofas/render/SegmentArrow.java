@@ -120,6 +120,7 @@ final class SegmentArrow {
         double dx = line.x2 - line.x1;
         double dy = line.y2 - line.y1;
         double length = Math.hypot(dx, dy);
+        double perSquare = length == 0 ? 0 : 1 / (length * length);
         double left = Math.min(line.x1, line.x2) - reach;
         double right = Math.max(line.x1, line.x2) + reach;
         int bottom = (int) Math.min(clip.y + clip.height, Math.ceil(Math.max(line.y1, line.y2) + reach));
@@ -133,20 +134,16 @@ final class SegmentArrow {
             int x = (int) Math.max(clip.x, isFlat ? left : Math.max(left, middle - half));
             for (; x < end; x++) {
                 double fromX = x + 0.5 - line.x1;
-                double along = length == 0 ? 0 : (fromX * dx + fromY * dy) / (length * length);
-                along = Math.max(0, Math.min(1, along));
-                double covered = reach - distance(fromX - along * dx, fromY - along * dy);
-                if (covered > 0) {
+                double along = Math.max(0, Math.min(1, (fromX * dx + fromY * dy) * perSquare));
+                double besideX = fromX - along * dx;
+                double besideY = fromY - along * dy;
+                double square = besideX * besideX + besideY * besideY;
+                if (square < reach * reach) {
                     int at = y * picture.getWidth() + x;
-                    pixels[at] = blend(pixels[at], rgb, (int) (256 * Math.min(1, covered)));
+                    pixels[at] = blend(pixels[at], rgb, (int) (256 * Math.min(1, reach - Math.sqrt(square))));
                 }
             }
         }
-    }
-
-    /** Math.hypot guards against overflow, which takes long. */
-    private static double distance(double x, double y) {
-        return Math.sqrt(x * x + y * y);
     }
 
     private static int blend(int below, int above, int share) {
