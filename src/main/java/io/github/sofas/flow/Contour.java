@@ -16,6 +16,8 @@ final class Contour {
     private static final int ONE_ON = 1;
     private static final int ONE_OFF = 1 << 16;
     private static final int LEAST_SUPPORT = 4;
+    /** Events are projected anew in steps of this part of a cell: far less than they jitter. */
+    private static final double STEP_PX = 1.0 / 16;
 
     private double share;
     private final int width;
@@ -23,6 +25,7 @@ final class Contour {
     /** Live events a cell: ON in the low half, OFF in the high half. */
     private final int[] grid;
     private final Motion motion = new Motion();
+    private final SteppedProjection stepped = new SteppedProjection();
     private int fixedVx;
     private int fixedVy;
     // box of the occupied cells, a cell wider all round; beyond it there is no support
@@ -111,8 +114,12 @@ final class Contour {
     /** Counts a live event on its cell. */
     void add(LiveEvents live, int i) {
         motion.project(live.x[i], live.y[i], live.timeUs[i]);
-        int cx = (int) (motion.x + (MARGIN + 0.5));
-        int cy = (int) (motion.y + (MARGIN + 0.5));
+        count(live, i, motion.x, motion.y);
+    }
+
+    private void count(LiveEvents live, int i, double x, double y) {
+        int cx = (int) (x + (MARGIN + 0.5));
+        int cy = (int) (y + (MARGIN + 0.5));
         if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1) {
             live.cell[i] = -1;
             return;
@@ -178,8 +185,13 @@ final class Contour {
         int lastMaxY = maxY;
         clear(live);
         follow(along);
+        if (live.size() > 0) {
+            stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
+        }
         for (int k = 0; k < live.size(); k++) {
-            add(live, live.index(k));
+            int i = live.index(k);
+            stepped.advance(live.timeUs[i]);
+            count(live, i, stepped.x(live.x[i], live.y[i]), stepped.y(live.x[i], live.y[i]));
         }
         if (minX > maxX && live.size() > 0) {
             // all have left the grid: the structure was seen last where it was

@@ -25,6 +25,8 @@ final class TrackPlane {
     private static final int LEAST_HIDDEN = 200;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
     private static final double ONE_SIDED = 0.7;
+    /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
+    private static final double STEP_PX = 1.0 / 64;
     /** Travel after which the other edges of a structure should have been found. */
     private static final double SETTLED_PX = 8;
     /** Travel over which its events are counted, to tell whether it slows down. */
@@ -43,6 +45,7 @@ final class TrackPlane {
     private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final Motion motion = new Motion();
+    private final SteppedProjection stepped = new SteppedProjection();
     private Shape shape;
     private final MotionChange change = new MotionChange();
 
@@ -408,6 +411,7 @@ final class TrackPlane {
         int want = sample();
         long stride = ((long) live.size() << 16) / want;
         int shared = 0;
+        stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * contour.radius(), STEP_PX);
         for (int k = 0; k < want; k++) {
             // anywhere within its share of the ring: an even stride would beat with periodic events
             long place = k * stride + ((k * 0x9E3779B1L & 0xffff) * stride >> 16);
@@ -419,9 +423,11 @@ final class TrackPlane {
             if (live.remembered[i]) {
                 continue;
             }
-            motion.project(live.x[i], live.y[i], live.timeUs[i]);
-            fit.add((float) motion.x, (float) motion.y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
-                (float) (motion.x - motion.centreX), (float) (motion.y - motion.centreY), live.sign[i]);
+            stepped.advance(live.timeUs[i]);
+            double x = stepped.x(live.x[i], live.y[i]);
+            double y = stepped.y(live.x[i], live.y[i]);
+            fit.add((float) x, (float) y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
+                (float) (x - motion.centreX), (float) (y - motion.centreY), live.sign[i]);
         }
         return shared;
     }
