@@ -35,7 +35,7 @@ public class MetricFitBenchmark {
         FilmedEvents events = new FilmedEvents("hexagon");
         SofasParameters p = SofasParameters.defaults();
         sigmas = p.flatSigmas();
-        fit = new MetricFit(events.sensor.width(), events.sensor.height(), p.voteCellPx(), EVENTS);
+        fit = new MetricFit(events.sensor.width(), events.sensor.height(), p.voteCellPx(), EVENTS, 1900);
         EventBatch batch = events.next();
         long referenceUs = batch.timeUs[EVENTS / 2];
         for (int i = 0; i < EVENTS; i++) {

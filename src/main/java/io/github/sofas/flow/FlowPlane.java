@@ -53,8 +53,9 @@ final class FlowPlane {
     private long[] timeUs = new long[1 << 14];
     private short[] x = new short[1 << 14];
     private short[] y = new short[1 << 14];
-    /** +1, -1, or 0 once taken out. */
     private byte[] sign = new byte[1 << 14];
+    /** Rings that the event was taken out of, a bit each. */
+    private int[] takenOut = new int[1 << 14];
     /** Rings in which the event was looked at in vain, a bit each. */
     private int[] refused = new int[1 << 14];
     private int mask = timeUs.length - 1;
@@ -126,6 +127,7 @@ final class FlowPlane {
         x[i] = (short) eventX;
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
+        takenOut[i] = 0;
         refused[i] = 0;
     }
 
@@ -135,6 +137,7 @@ final class FlowPlane {
         short[] newX = new short[capacity];
         short[] newY = new short[capacity];
         byte[] newSign = new byte[capacity];
+        int[] newTakenOut = new int[capacity];
         int[] newRefused = new int[capacity];
         for (int i = first; i != head; i++) {
             int from = i & mask;
@@ -143,12 +146,14 @@ final class FlowPlane {
             newX[to] = x[from];
             newY[to] = y[from];
             newSign[to] = sign[from];
+            newTakenOut[to] = takenOut[from];
             newRefused[to] = refused[from];
         }
         timeUs = newUs;
         x = newX;
         y = newY;
         sign = newSign;
+        takenOut = newTakenOut;
         refused = newRefused;
         mask = capacity - 1;
     }
@@ -170,7 +175,7 @@ final class FlowPlane {
                 settledUs[i] = nowUs;
                 while (end[i] != head) {
                     int to = end[i] + Math.min(BLOCK, head - end[i]);
-                    gather(end[i], to);
+                    gather(i, end[i], to);
                     vote(i, 1);
                     end[i] = to;
                 }
@@ -190,7 +195,7 @@ final class FlowPlane {
             while (to != end[ring] && to - from < BLOCK && isOver(to, limitUs)) {
                 to++;
             }
-            gather(from, to);
+            gather(ring, from, to);
             vote(ring, -1);
             from = to;
         }
@@ -201,16 +206,16 @@ final class FlowPlane {
         return timeUs[event & mask] < limitUs || head - event > MOST_EVENTS;
     }
 
-    private void gather(int from, int to) {
+    private void gather(int ring, int from, int to) {
         for (int e = from; e != to; e++) {
-            gather(e);
+            gather(ring, e);
         }
     }
 
-    /** Adds an event to the block unless it was taken out. */
-    private void gather(int event) {
+    /** Adds an event to the block unless it was taken out of the ring. */
+    private void gather(int ring, int event) {
         int i = event & mask;
-        if (sign[i] != 0) {
+        if ((takenOut[i] >> ring & 1) == 0) {
             block.add(x[i], y[i], timeUs[i] - epochUs, sign[i]);
         }
     }
@@ -225,23 +230,32 @@ final class FlowPlane {
         block.clear();
     }
 
-    /** Takes events out of all projections, by number. */
-    void takeOut(int[] events, int from, int size) {
-        for (int i = 0; i < n; i++) {
-            for (int a = from; a < from + size; a++) {
-                int e = events[a];
-                if (e - oldest[i] >= 0 && e - end[i] < 0) {
-                    gather(e);
-                }
-                if (block.isFull()) {
-                    vote(i, -1);
-                }
+    /** Takes events out of the projections of a speed, by number, or keeps them out of it where it has not come yet. */
+    void takeOut(int ring, int[] events, int size) {
+        for (int a = 0; a < size; a++) {
+            int e = events[a];
+            if (!holds(e)) {
+                continue;
             }
-            vote(i, -1);
+            if (e - oldest[ring] >= 0 && e - end[ring] < 0) {
+                gather(ring, e);
+            }
+            takenOut[e & mask] |= 1 << ring;
+            if (block.isFull()) {
+                vote(ring, -1);
+            }
         }
-        for (int a = from; a < from + size; a++) {
-            sign[events[a] & mask] = 0;
-        }
+        vote(ring, -1);
+    }
+
+    /** Whether any ring holds the event, or is to take it in yet. */
+    boolean holds(int event) {
+        return event - first >= 0;
+    }
+
+    /** Whether the event was taken out of any ring. */
+    boolean isTakenOut(int event) {
+        return takenOut[event & mask] != 0;
     }
 
     /** Notes that an event was looked at in vain, in a ring. */
@@ -313,6 +327,11 @@ final class FlowPlane {
         return end[ring];
     }
 
+    /** Number after the newest event. */
+    int head() {
+        return head;
+    }
+
     /** How many events ever came. */
     long total() {
         return total;
@@ -330,7 +349,7 @@ final class FlowPlane {
         return timeUs[event & mask];
     }
 
-    /** +1 or -1; 0 once taken out. */
+    /** +1 or -1. */
     int sign(int event) {
         return sign[event & mask];
     }

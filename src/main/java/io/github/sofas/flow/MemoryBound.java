@@ -11,9 +11,9 @@ final class MemoryBound {
     private static final long FIXED_BYTES = 1 << 20;
     /** Of the default preset's rings. */
     private static final long EVENTS = 1 << 20;
-    private static final int RING_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + Integer.BYTES;
-    /** Two arrays of numbers, as long as they may have grown. */
-    private static final int SORTING_BYTES = 2 * 2 * Integer.BYTES;
+    private static final int RING_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES;
+    /** Three arrays of numbers, as long as they may have grown. */
+    private static final int SORTING_BYTES = 3 * 2 * Integer.BYTES;
     private static final int LIVE_EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + 3 * Byte.BYTES + Integer.BYTES;
     private static final int FITTED_EVENT_BYTES = 11 * Integer.BYTES + Byte.BYTES;
     /** Of the paper preset's arrays of events; a doubling beyond what fills half of them. */
@@ -41,7 +41,7 @@ final class MemoryBound {
             + ((long) Integer.BYTES << Shape.bits(sensor.width()) + Shape.bits(sensor.height()))
             + LiveEvents.CAPACITY * LIVE_EVENT_BYTES + PlaceTrack.bytes();
         // one more ring, for merging
-        return search + company + fit + p.maxTrackPlanes() * plane + LiveEvents.CAPACITY * LIVE_EVENT_BYTES;
+        return search + company + 2 * fit + p.maxTrackPlanes() * plane + LiveEvents.CAPACITY * LIVE_EVENT_BYTES;
     }
 
     private static long paper(SensorSize sensor, SofasParameters p) {

@@ -41,8 +41,9 @@ final class MetricFit {
     private double step;
     private double loss;
 
-    MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
-        grid = new VoteGrid(sensorWidth, sensorHeight, cellPx, capacity);
+    /** Makes a fit for up to a number of events, of which so many vote on two grids. */
+    MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
+        grid = new VoteGrid(sensorWidth, sensorHeight, cellPx, capacity, mostOnBoth);
         tau = new float[capacity];
         fromX = new float[capacity];
         fromY = new float[capacity];

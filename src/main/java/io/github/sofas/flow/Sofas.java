@@ -61,12 +61,12 @@ public final class Sofas implements EventLabeller {
 
     /**
      * The most memory that an engine holds, whatever the events: the sum of its arrays, as large as they may grow, in
-     * bytes. For 240 x 180 px it is 86 MB with the default preset and 275 MB with the paper's, with 64 track planes;
-     * with one, 43 and 44 MB.
+     * bytes. For 240 x 180 px it is 99 MB with the default preset and 275 MB with the paper's, with 64 track planes;
+     * with one, 57 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
-     * of two; 33 bytes for each of the 2^20 events that the flow plane holds at most; 9 bytes a pixel; 4 bytes for each
+     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most; 9 bytes a pixel; 8 bytes for each
      * cell of the grid that motion is measured on; and for each track plane 4 bytes for each of (w + 48) (h + 48)
      * cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 19 for each of its 16,384 live events at most, and
      * 41,000 for the places that it was at and what it looked like there.

@@ -204,8 +204,12 @@ final class TrackPlaneStack {
         return plane;
     }
 
-    /** Begins to track a new structure, or a lost one that is recognised in it. */
-    void begin(TrackPlane plane, long nowUs) {
+    /**
+     * Begins to track a new structure, or a lost one that is recognised in it.
+     *
+     * @return whether the plane tracks it; not where it is a piece of one that another plane tracks
+     */
+    boolean begin(TrackPlane plane, long nowUs) {
         plane.recentre(fit, nowUs);
         planes[size++] = plane;
         plane.show(reappearance);
@@ -213,14 +217,15 @@ final class TrackPlaneStack {
             if (planes[i].isHidden() && planes[i].isRecognisedBy(reappearance, nowUs)) {
                 plane.continueAs(planes[i], reappearance);
                 release(i);
-                return;
+                return true;
             }
             if (planes[i].hasJustReappeared(nowUs) && planes[i].hasPieceAt(reappearance, nowUs)) {
                 common.fit(planes[i].motion(), planes[i].loss(), plane.motion(), plane.loss(), nowUs);
                 merge(i, size - 1, nowUs);
-                return;
+                return false;
             }
         }
+        return true;
     }
 
     List<Segment> segments() {
@@ -232,9 +237,8 @@ final class TrackPlaneStack {
     }
 
     /** Tracks on with other parameters; where fewer planes are allowed, the last ones end. */
-    void setParameters(SofasParameters next, MetricFit nextFit) {
+    void setParameters(SofasParameters next) {
         p = next;
-        fit = nextFit;
         while (size > p.maxTrackPlanes()) {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
@@ -243,6 +247,11 @@ final class TrackPlaneStack {
             planes[i].setParameters(p);
         }
         unused.clear();
+    }
+
+    /** Measures motion with another fit from now on. */
+    void setFit(MetricFit next) {
+        fit = next;
     }
 
     void contour(int id, long nowUs, PixelConsumer pixels) {

@@ -17,8 +17,6 @@ final class VoteGrid {
     private static final int SUB_BITS = 4;
     /** Cells around the events, for their shifts; twice the greatest distance of projections and a step. */
     private static final int BORDER = 20;
-    /** Most events that vote on two grids: less than a thinned sample has, whose places average out, and cost much. */
-    private static final int BOTH_GRIDS = 1900;
     /** Shifts are worked out in parts of a position of 2^-this. */
     private static final int PART_BITS = 21;
     private static final int HALF = 1 << PART_BITS - 1;
@@ -27,6 +25,7 @@ final class VoteGrid {
 
     /** Positions a pixel. */
     private final float scale;
+    private final int mostOnBoth;
     // events: position, and vote
     private final int[] placeX;
     private final int[] placeY;
@@ -46,7 +45,15 @@ final class VoteGrid {
     private int columns;
     private int rows;
 
-    VoteGrid(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
+    /**
+     * Makes a grid.
+     *
+     * @param mostOnBoth most events that vote on two grids half a cell apart: on one alone, an edge thinner than a cell
+     *     has up to twice the metric in the middle of a cell that it has between two, and its true velocity may look
+     *     worst; places of many events average out
+     */
+    VoteGrid(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
+        this.mostOnBoth = mostOnBoth;
         scale = (float) (SUB / cellPx);
         placeX = new int[capacity];
         placeY = new int[capacity];
@@ -113,15 +120,14 @@ final class VoteGrid {
     }
 
     /**
-     * Metric of the events moved back by sx times one profile and sy times another, in px: 2 w f summed over all votes.
-     * Of few events the mean over two grids half a cell apart: on one alone, an edge thinner than a cell has up to
-     * twice the metric in the middle of a cell that it has between two, and its true velocity may look worst.
+     * Metric of the events moved back by sx times one profile and sy times another, in px: 2 w f summed over all votes;
+     * of few events the mean over two grids.
      */
     double metric(ShiftProfile alongX, double sx, ShiftProfile alongY, double sy) {
         int partsX = parts(alongX, sx);
         int partsY = parts(alongY, sy);
         double one = metric(alongX.shift, partsX, alongY.shift, partsY, 0);
-        return size > BOTH_GRIDS ? one : (one + metric(alongX.shift, partsX, alongY.shift, partsY, SUB / 2)) / 2;
+        return size > mostOnBoth ? one : (one + metric(alongX.shift, partsX, alongY.shift, partsY, SUB / 2)) / 2;
     }
 
     private int parts(ShiftProfile along, double s) {

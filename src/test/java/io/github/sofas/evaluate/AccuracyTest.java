@@ -103,10 +103,13 @@ public class AccuracyTest {
     public void pendulumLosesNoVelocityToItsAcceleration() {
         // a velocity that is that of the middle of the window lags by 25 px/s: a mean error of 7 % of the peak; a bob
         // that does not turn about its pivot is wrong by 4.2 % of it
-        Evaluation evaluation = evaluate(Scene.PENDULUM, PLAIN);
-        double peak = evaluation.flow().peakTrueSpeedPxPerS();
-        assertTrue(evaluation.flow().endpointErrorPxPerS().mean() <= 0.03 * peak);
-        assertTrue(evaluation.flow().shareWithFlow() >= 0.95);
+        double error = 0;
+        for (int seed = 1; seed <= 8; seed++) {
+            FlowFigures flow = evaluate(Scene.PENDULUM, PLAIN.withSeed(seed)).flow();
+            error += flow.endpointErrorPxPerS().mean() / flow.peakTrueSpeedPxPerS() / 8;
+            assertTrue("share with flow " + flow.shareWithFlow(), flow.shareWithFlow() >= 0.95);
+        }
+        assertTrue("error " + error, error <= 0.03);
     }
 
     @Test

@@ -13,9 +13,11 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import org.junit.Test;
 
 /** The flow plane of the default preset against a plain one, which projects everything anew at each look. */
@@ -28,7 +30,8 @@ public class FlowPlaneTest {
         private final SofasParameters p;
         private final FlowPlane fast;
         private final List<Event> events = new ArrayList<>();
-        private final List<Boolean> taken = new ArrayList<>();
+        /** Rings that each event was taken out of. */
+        private final List<Set<Integer>> taken = new ArrayList<>();
         // by ring: how many events it has taken in, and when
         private final int[] end;
         private final long[] settledUs;
@@ -45,7 +48,7 @@ public class FlowPlaneTest {
                 Arrays.fill(settledUs, e.timeUs());
             }
             events.add(e);
-            taken.add(false);
+            taken.add(new HashSet<>());
             fast.add(e.x(), e.y(), e.timeUs(), e.polarity());
         }
 
@@ -60,10 +63,10 @@ public class FlowPlaneTest {
             fast.settle(nowUs);
         }
 
-        private void takeOut(List<Integer> numbers) {
-            numbers.forEach(i -> taken.set(i, true));
+        private void takeOut(int ring, List<Integer> numbers) {
+            numbers.forEach(i -> taken.get(i).add(ring));
             int[] array = numbers.stream().mapToInt(Integer::intValue).toArray();
-            fast.takeOut(array, 0, array.length);
+            fast.takeOut(ring, array, array.length);
         }
 
         /** The time in which a ring travels its pixels. */
@@ -75,7 +78,7 @@ public class FlowPlaneTest {
         private List<Integer> held(int ring) {
             List<Integer> held = new ArrayList<>();
             for (int i = 0; i < end[ring]; i++) {
-                if (!taken.get(i) && events.get(i).timeUs() >= settledUs[ring] - windowUs(ring)) {
+                if (!taken.get(i).contains(ring) && events.get(i).timeUs() >= settledUs[ring] - windowUs(ring)) {
                     held.add(i);
                 }
             }
@@ -151,6 +154,8 @@ public class FlowPlaneTest {
         FlowPlane fast = new FlowPlane(sensor.width(), sensor.height(), p);
         PlainFlowPlane plain = new PlainFlowPlane(p, fast);
         int settlings = 0;
+        List<Integer> structure = new ArrayList<>();
+        int nextRing = p.flowProjections();
         for (Event e : events) {
             plain.add(e);
             if (fast.isToSettle(e.timeUs())) {
@@ -158,14 +163,13 @@ public class FlowPlaneTest {
                 if (settlings++ % every == 0) {
                     plain.compare();
                 }
-                if (random.nextInt(4) == 0) {
-                    // a structure is taken out, as if a third of the events of one ring were it
-                    List<Integer> structure = plain.held(random.nextInt(p.flowProjections()));
+                if (nextRing < p.flowProjections()) {
+                    plain.takeOut(nextRing++, structure);
+                } else if (random.nextInt(4) == 0) {
+                    // a structure is taken out ring by ring, as if a third of the events of one ring were it
+                    structure = plain.held(random.nextInt(p.flowProjections()));
                     structure.removeIf(i -> random.nextInt(3) > 0);
-                    plain.takeOut(structure);
-                    if (settlings % every == 0) {
-                        plain.compare();
-                    }
+                    nextRing = 0;
                 }
             }
         }

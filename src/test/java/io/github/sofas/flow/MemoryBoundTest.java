@@ -111,7 +111,7 @@ public class MemoryBoundTest {
             SofasParameters p = preset.withMaxTrackPlanes(1);
             long held = measured(new Sofas(SENSOR, p));
             long most = Sofas.mostBytes(SENSOR, p);
-            long events = p.preset() == SofasParameters.Preset.DEFAULT ? 40_000_000 : 30_000_000;
+            long events = p.preset() == SofasParameters.Preset.DEFAULT ? 52_000_000 : 30_000_000;
             assertTrue(p.preset() + " holds " + held + " of " + most, most <= held + events);
         }
     }

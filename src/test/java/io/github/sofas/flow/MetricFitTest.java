@@ -19,7 +19,7 @@ public class MetricFitTest {
     }
 
     private static double fast(List<Vote> votes, double cellPx, double vx, double vy) {
-        MetricFit fit = new MetricFit(32, 24, cellPx, 4096);
+        MetricFit fit = new MetricFit(32, 24, cellPx, 4096, 1900);
         for (Vote v : votes) {
             fit.add(v.x, v.y, v.tauS, 0, 0, v.polarity);
         }
@@ -141,7 +141,7 @@ public class MetricFitTest {
     public void stepLeadsToTheVelocityOfAMovingPattern() {
         // dots at chance places, each fires eight times in a second at (12, -5) px/s; from (10, -4) to the top
         Random random = new Random(3);
-        MetricFit fit = new MetricFit(64, 48, 1, 4096);
+        MetricFit fit = new MetricFit(64, 48, 1, 4096, 1900);
         for (int d = 0; d < 40; d++) {
             float x = 10 + 40 * random.nextFloat();
             float y = 10 + 28 * random.nextFloat();
@@ -167,7 +167,7 @@ public class MetricFitTest {
         // 60 points that move at (0.2, -0.1) px/s and are each seen 20 times in 8 s
         Random random = new Random(3);
         List<Vote> votes = new ArrayList<>();
-        MetricFit fit = new MetricFit(32, 24, 1.3, 4096);
+        MetricFit fit = new MetricFit(32, 24, 1.3, 4096, 1900);
         for (int point = 0; point < 60; point++) {
             float x = 4 + 24 * random.nextFloat();
             float y = 4 + 16 * random.nextFloat();
@@ -205,7 +205,7 @@ public class MetricFitTest {
 
     @Test
     public void eventsThatNeverMeetTellNoVelocity() {
-        MetricFit fit = new MetricFit(32, 24, 1, 16);
+        MetricFit fit = new MetricFit(32, 24, 1, 16, 1900);
         fit.add(4, 4, -1, 0, 0, 1);
         fit.add(24, 18, 1, 0, 0, 1);
         fit.frame(1);
@@ -218,7 +218,7 @@ public class MetricFitTest {
     @Test
     public void eventsThatOnlyCancelTellAFiniteVelocity() {
         // of opposite polarity at one place and time: at any velocity the metric is less than none
-        MetricFit fit = new MetricFit(32, 24, 1, 16);
+        MetricFit fit = new MetricFit(32, 24, 1, 16, 1900);
         fit.add(4, 4, 0.5f, 1, 1, 1);
         fit.add(4, 4, 0.5f, 1, 1, -1);
         fit.frame(1);

@@ -20,7 +20,7 @@ public class MotionChangeTest {
         MotionChange change = new MotionChange();
         change.start(0);
         MotionLoss loss = new MotionLoss();
-        MetricFit fit = new MetricFit(128, 96, DEFAULTS.voteCellPx(), 4096);
+        MetricFit fit = new MetricFit(128, 96, DEFAULTS.voteCellPx(), 4096, 1900);
         for (int repeat = 0; repeat < 8; repeat++) {
             Random random = new Random(5);
             fit.clear();
