@@ -23,6 +23,8 @@ final class TrackPlane {
     private static final int SAMPLE_PART = 3;
     /** Events that a structure must have had to be waited for while it is hidden. */
     private static final int LEAST_HIDDEN = 200;
+    /** Events that may be hidden in a part of the box, to those that would lie there if they lay evenly. */
+    private static final double MOST_HIDDEN = 1.5;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
     private static final double ONE_SIDED = 0.7;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
@@ -62,7 +64,8 @@ final class TrackPlane {
     /** Live events a px of the lifetime: as many at any speed. */
     private double usualDensity;
     private boolean hidden;
-    private boolean crowded;
+    /** Share of its box that the boxes of others cover, which may hide it. */
+    private double covered;
     /** Whether another structure is so near that either may hide events of the other. */
     private boolean accompanied;
     private long hiddenUs;
@@ -104,7 +107,7 @@ final class TrackPlane {
         measurements = 0;
         usualDensity = 0;
         hidden = false;
-        crowded = false;
+        covered = 0;
         accompanied = false;
         byPlace = false;
         paceDensity = 0;
@@ -261,7 +264,7 @@ final class TrackPlane {
         if (live.size() == 0) {
             return;
         }
-        if (hasFewerThan(crowded ? p.crowdedShare() : p.minShare())) {
+        if (hasFewerThan(p.minShare()) || isHiddenInPart()) {
             // what is left is noise, too little, or what hides it: the motion is held
             change.hold(motion);
         } else if (nowUs - live.oldestUs() > 10) {
@@ -315,7 +318,7 @@ final class TrackPlane {
         paceDensity = Math.max(density,
             paceDensity - (paceDensity - density) * Math.min(1, travelledPx / PACE_MEMORY_PX));
         pacedUs = nowUs;
-        if (hidden || accompanied || crowded || events < LEAST_HIDDEN || measurements <= LEAST_FULL
+        if (hidden || accompanied || covered > 0 || events < LEAST_HIDDEN || measurements <= LEAST_FULL
                 || !isSettled(nowUs) || !isInside(nowUs, sensor)) {
             return false;
         }
@@ -574,8 +577,26 @@ final class TrackPlane {
         shape.move(reappearance.shiftX(), reappearance.shiftY(), contour.motion(), memoryUs());
     }
 
-    void setCrowded(boolean isCrowded) {
-        crowded = isCrowded;
+    /** Forgets what may hide it. */
+    void uncover() {
+        covered = 0;
+    }
+
+    /** Notes that another structure may hide it, as far as its box reaches. */
+    void coverBy(TrackPlane other, long nowUs) {
+        double dx = other.travelX(nowUs) - travelX(nowUs);
+        double dy = other.travelY(nowUs) - travelY(nowUs);
+        double columns = Math.min(contour.right(), other.contour.right() + dx)
+            - Math.max(contour.left(), other.contour.left() + dx) + 1;
+        double rows = Math.min(contour.bottom(), other.contour.bottom() + dy)
+            - Math.max(contour.top(), other.contour.top() + dy) + 1;
+        double box = (contour.right() - contour.left() + 1.0) * (contour.bottom() - contour.top() + 1.0);
+        covered += Math.max(0, columns) * Math.max(0, rows) / Math.max(1, box);
+    }
+
+    /** Whether fewer events come than usual, and others may hide as many as are missing: not where less is seen. */
+    private boolean isHiddenInPart() {
+        return hasFewerThan(p.crowdedShare()) && !hasFewerThan(1 - MOST_HIDDEN * covered);
     }
 
     void setAccompanied(boolean isAccompanied) {

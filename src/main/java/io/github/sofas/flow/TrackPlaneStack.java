@@ -150,14 +150,14 @@ final class TrackPlaneStack {
 
     private void findCrowds(long nowUs) {
         for (int i = 0; i < size; i++) {
-            planes[i].setCrowded(false);
+            planes[i].uncover();
             planes[i].setAccompanied(false);
         }
         for (int i = 0; i < size; i++) {
             for (int j = i + 1; j < size; j++) {
                 if (planes[i].overlaps(planes[j], nowUs)) {
-                    planes[i].setCrowded(true);
-                    planes[j].setCrowded(true);
+                    planes[i].coverBy(planes[j], nowUs);
+                    planes[j].coverBy(planes[i], nowUs);
                 }
                 if (planes[i].isBeside(planes[j], nowUs)) {
                     planes[i].setAccompanied(true);
