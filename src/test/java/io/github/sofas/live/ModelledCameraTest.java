@@ -124,7 +124,7 @@ public class ModelledCameraTest {
         assertEquals(expected, labelled());
         assertEquals(expected, recorded());
         assertEquals(List.of("live.flow.csv", "live.segments.csv", "live.summary.json"), files());
-        assertTrue(camera.err(), Pattern.compile("(?m)^ +1 s: +\\d+ events/s, +\\d+\\.\\d % flow, queue +\\d+/256, "
+        assertTrue(camera.err(), Pattern.compile("(?m)^ +\\d+ s: +\\d+ events/s, +\\d+\\.\\d % flow, queue +\\d+/256, "
             + "\\d+ dropped, \\d+ segments").matcher(camera.err()).find());
         assertTrue(camera.err(), camera.err().contains("\nlive: 200000 events in "));
     }
