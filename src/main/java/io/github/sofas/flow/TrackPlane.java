@@ -275,6 +275,11 @@ final class TrackPlane {
                 measure(fit, half, (double) shared / (shared + fit.size()));
             }
         }
+        carryOn(nowUs);
+    }
+
+    /** Projects the live events to now, along the motion as it is known. */
+    private void carryOn(long nowUs) {
         motion.moveReference(nowUs);
         contour.project(live, motion);
         motion.moveCentre(contour.centreX(), contour.centreY());
@@ -648,24 +653,22 @@ final class TrackPlane {
     }
 
     /**
-     * Takes over the events of another plane, and measures the motion of both together.
+     * Takes over the events of another plane; the motion of both is measured with those that come next.
      *
      * @param common the motion that serves both
      * @param spare a ring to put them in
      * @return the ring that this plane used until now
      */
-    LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, MetricFit fit, long nowUs) {
+    LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, long nowUs) {
         motion.copyFrom(common);
         change.setOmega(motion.omega);
         spare.fillFrom(live, other.live);
         contour.clear(live);
         LiveEvents used = live;
         live = spare;
-        contour.project(live, motion);
-        motion.moveCentre(contour.centreX(), contour.centreY());
         events += other.events;
+        carryOn(nowUs);
         usualDensity = live.size() / lifetimePx;
-        recentre(fit, nowUs);
         return used;
     }
 

@@ -174,7 +174,7 @@ final class TrackPlaneStack {
             planes[j] = planes[i];
             planes[i] = older;
         }
-        spare = planes[i].merge(planes[j], common.motion(), spare, fit, nowUs);
+        spare = planes[i].merge(planes[j], common.motion(), spare, nowUs);
         end(j, Segment.Fate.MERGED, planes[i].id());
     }
 
