@@ -1,7 +1,7 @@
 /**
  * Pictures of events, flow and segments. Open {@link io.github.sofas.render.PictureSheet} first: it is given labelled
  * events and paints them at any time, as panels side by side with their legends. It remembers the last event of every
- * pixel, so that its memory does not grow with the recording: 29 bytes a pixel of the sensor and 8 a pixel of the
+ * pixel, so that its memory does not grow with the recording: 53 bytes a pixel of the sensor and 8 a pixel of the
  * picture; a film takes up to 17 bytes a pixel of the picture more, whatever its length.
  *
  * <pre>{@code
