@@ -371,7 +371,7 @@ public class SofasFlowTest {
             assertEquals(bounds.max(), ((Number) most.invoke(filter)).doubleValue(), 1e-6);
             sliders++;
         }
-        assertEquals(13, sliders);
+        assertEquals(14, sliders);
     }
 
     /** Any value by any thread, at any time. */
