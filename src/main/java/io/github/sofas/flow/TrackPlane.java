@@ -40,6 +40,9 @@ final class TrackPlane {
     private static final double BESIDE_PX = 2;
     /** Distance from the sensor's border within which events may be missing. */
     private static final double BORDER_PX = 3;
+    /** Travel together of two bodies that may be one, and how long they may seem two meanwhile. */
+    private static final double TOGETHER_PX = 8;
+    private static final long AGREED_US = 20_000;
     /** Travel after which pieces of one structure should have merged. */
     private static final double WHOLE_PX = 32;
 
@@ -66,6 +69,10 @@ final class TrackPlane {
     private boolean hidden;
     /** Share of its box that the boxes of others cover, which may hide it. */
     private double covered;
+    /** An older plane that described the same structure when it was asked last, when that was, and since when. */
+    private int agreesWith;
+    private long agreedUs;
+    private long agreesSinceUs;
     /** Whether another structure is so near that either may hide events of the other. */
     private boolean accompanied;
     private long hiddenUs;
@@ -108,6 +115,7 @@ final class TrackPlane {
         usualDensity = 0;
         hidden = false;
         covered = 0;
+        agreesWith = 0;
         accompanied = false;
         byPlace = false;
         paceDensity = 0;
@@ -528,6 +536,27 @@ final class TrackPlane {
         }
         return isNear(other, nowUs, gap)
             && (sharesVelocity(other, common, nowUs) || sharesMotion(other, common, nowUs));
+    }
+
+    /**
+     * Whether it has described the same structure as an older one for long enough to be merged into it. Pieces are at
+     * once, and the front and the back of a body; two that were long tracked apart, each dark and bright, are two
+     * bodies that may touch, and are one only if they go on together.
+     */
+    boolean agreesFor(TrackPlane older, long nowUs) {
+        if (isPairedWith(older) || !isLongKnown(nowUs) || !older.isLongKnown(nowUs)) {
+            return true;
+        }
+        if (agreesWith != older.id || nowUs - agreedUs > AGREED_US) {
+            agreesWith = older.id;
+            agreesSinceUs = nowUs;
+        }
+        agreedUs = nowUs;
+        return (nowUs - agreesSinceUs) * 1e-6 * motion.speed(contour.radius()) >= TOGETHER_PX;
+    }
+
+    private boolean isLongKnown(long nowUs) {
+        return (nowUs - firstUs) * 1e-6 * motion.speed(contour.radius()) > WHOLE_PX;
     }
 
     private boolean sharesVelocity(TrackPlane other, CommonMotion common, long nowUs) {

@@ -141,11 +141,16 @@ final class TrackPlaneStack {
         }
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
-                if (planes[i].describesSameAs(planes[j], common, nowUs)) {
+                if (isSame(planes[i], planes[j], nowUs)) {
                     merge(i, j, nowUs);
                 }
             }
         }
+    }
+
+    private boolean isSame(TrackPlane a, TrackPlane b, long nowUs) {
+        return a.describesSameAs(b, common, nowUs)
+            && (a.id() < b.id() ? b.agreesFor(a, nowUs) : a.agreesFor(b, nowUs));
     }
 
     private void findCrowds(long nowUs) {

@@ -69,6 +69,9 @@
  *     its contour is laid on them, whatever their polarity. Three wanderers, twenty seeds: 0.83 before, 0.90 after;
  *     of the events at 20 to 30 px/s 42 % had no flow before, 13 % after. Not while another is beside it, which may
  *     hide it.
+ * <li><b>Two bodies that touch.</b> Two that were long tracked apart, and are not the dark and the bright edge of one,
+ *     merge after 8 px together only: bodies that meet go the same way for a moment. Three wanderers: 0.90 before, 0.91
+ *     after, the mean of twenty seeds; the worst three of those 0.83, 0.85 and 0.87 before, 0.92 to 0.95 after.
  * </ul>
  *
  * <p>What was tried and dropped: a sub-pixel dither (see above), votes without sign (slow planes then collect whatever

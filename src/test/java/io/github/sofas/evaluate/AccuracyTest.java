@@ -123,10 +123,10 @@ public class AccuracyTest {
 
     @Test
     public void bodiesThatTurnRoundAreKnownAgain() {
-        // new segments after each return: 0.5 to 0.76, and 1.4 parts
+        // new segments after each return: 0.5 to 0.76, and 1.4 parts; known after 8 px of it: 0.83
         double[] wanderers = meanSegmentation(Scene.THREE_WANDERING);
-        assertTrue("intersection over union " + wanderers[0], wanderers[0] >= 0.8);
-        assertTrue("parts " + wanderers[1], wanderers[1] <= 1.2);
+        assertTrue("intersection over union " + wanderers[0], wanderers[0] >= 0.87);
+        assertTrue("parts " + wanderers[1], wanderers[1] <= 1.1);
     }
 
     @Test
