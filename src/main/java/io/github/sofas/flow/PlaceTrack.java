@@ -28,7 +28,7 @@ final class PlaceTrack {
     /** Travel at its speed over which it then loses that speed, in px. */
     private static final double STOP_PX = 2;
     /** Travel that shows the velocity. */
-    private static final double SHOWN_PX = 4;
+    static final double SHOWN_PX = 4;
 
     // the contour, from its centre, as it lay at the beginning
     private final float[] pointX = new float[MOST_POINTS];
@@ -41,6 +41,7 @@ final class PlaceTrack {
     private final double[] placeY = new double[MOST_PLACES];
     private final double[] placeAngle = new double[MOST_PLACES];
     private int places;
+    private int shown;
     private long followedUs;
     // variances of place and velocity, the same in all directions, and that of turns at the radius
     private double placeVariance;
@@ -185,24 +186,26 @@ final class PlaceTrack {
         return angle;
     }
 
-    /**
-     * When it was last so far from where it is that its velocity shows, in µs; or {@link Long#MAX_VALUE}. Then the
-     * motion takes over, by half, the mean velocity since.
-     */
+    /** When it was last so far from where it is that its velocity shows, in µs; or {@link Long#MAX_VALUE}. */
     long movesSince(Motion motion) {
         for (int k = 2; k <= Math.min(places, MOST_PLACES); k++) {
             int place = places - k & MOST_PLACES - 1;
             double dx = motion.centreX - placeX[place];
             double dy = motion.centreY - placeY[place];
-            double turned = angle - placeAngle[place];
-            if (dx * dx + dy * dy + turned * turned * radius * radius >= SHOWN_PX * SHOWN_PX) {
-                double since = (motion.referenceUs - placeUs[place]) * 1e-6;
-                motion.vx = (motion.vx + dx / since) / 2;
-                motion.vy = (motion.vy + dy / since) / 2;
-                motion.omega = (motion.omega + turned / since) / 2;
+            double turned = (angle - placeAngle[place]) * radius;
+            if (dx * dx + dy * dy + turned * turned >= SHOWN_PX * SHOWN_PX) {
+                shown = place;
                 return placeUs[place];
             }
         }
         return Long.MAX_VALUE;
+    }
+
+    /** Gives a motion, by half, the mean velocity since the time that was found last. */
+    void takeVelocity(Motion motion) {
+        double since = (motion.referenceUs - placeUs[shown]) * 1e-6;
+        motion.vx = (motion.vx + (motion.centreX - placeX[shown]) / since) / 2;
+        motion.vy = (motion.vy + (motion.centreY - placeY[shown]) / since) / 2;
+        motion.omega = (motion.omega + (angle - placeAngle[shown]) / since) / 2;
     }
 }

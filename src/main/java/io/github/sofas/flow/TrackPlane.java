@@ -316,7 +316,7 @@ final class TrackPlane {
         place.draw(contour, motion);
         shape.carry(fromX, fromY, place.angle() - fromAngle, motion, memoryUs());
         long fromUs = place.movesSince(motion);
-        if (fromUs < nowUs) {
+        if (showsItself(fromUs, nowUs)) {
             findPace(fromUs, fit, nowUs);
         }
     }
@@ -387,6 +387,13 @@ final class TrackPlane {
         return true;
     }
 
+    /** Whether the events since a time are enough to be measured, and not all of a moment. */
+    private boolean showsItself(long fromUs, long nowUs) {
+        int n = fromUs < nowUs ? live.since(fromUs) : 0;
+        return n >= Math.max(LEAST_EVENTS, p.minShare() * usualDensity * PlaceTrack.SHOWN_PX)
+            && live.timeUs[live.index(live.size() - n)] - fromUs < (nowUs - fromUs) / 2;
+    }
+
     /** Goes on measuring, from the events since a time. */
     private void findPace(long fromUs, MetricFit fit, long nowUs) {
         byPlace = false;
@@ -394,6 +401,7 @@ final class TrackPlane {
         while (live.size() > 0 && live.oldestUs() < fromUs) {
             live.removeOldest();
         }
+        place.takeVelocity(motion);
         contour.wipe();
         contour.project(live, motion);
         change.restart();
