@@ -40,6 +40,10 @@ final class LiveEvents {
         return timeUs[index(0)];
     }
 
+    long newestUs() {
+        return timeUs[index(size - 1)];
+    }
+
     /** How many events are later than a time. */
     int since(long fromUs) {
         int low = 0;

@@ -224,9 +224,18 @@ final class TrackPlane {
      * travels a number of pixels, so that they stay as many a pixel while it moves, whatever its speed.
      */
     private boolean hasFewerThan(double share) {
-        double density = live.size() / lifetimePx;
-        usualDensity = Math.max(density, usualDensity * 0.999 + density * 0.001);
-        return live.size() < LEAST_EVENTS || density < share * usualDensity;
+        double now = eventsPerPx();
+        usualDensity = Math.max(now, usualDensity * 0.999 + now * 0.001);
+        return live.size() < LEAST_EVENTS || now < share * usualDensity;
+    }
+
+    /** Live events a px of travel; a full ring has let those go that were older than its oldest. */
+    private double eventsPerPx() {
+        double px = lifetimePx;
+        if (live.isFull()) {
+            px *= Math.min(1, (live.newestUs() - live.oldestUs() + 1.0) / lifetimeUs);
+        }
+        return live.size() / px;
     }
 
     /**
@@ -327,7 +336,7 @@ final class TrackPlane {
      */
     private boolean slowsDown(long nowUs, SensorSize sensor) {
         double travelledPx = motion.speed(contour.radius()) * (nowUs - pacedUs) * 1e-6;
-        double density = live.size() / lifetimePx;
+        double density = eventsPerPx();
         paceDensity = Math.max(density,
             paceDensity - (paceDensity - density) * Math.min(1, travelledPx / PACE_MEMORY_PX));
         pacedUs = nowUs;
@@ -410,7 +419,7 @@ final class TrackPlane {
         measurements = 0;
         lifetimePx = p.lifetimePx();
         lifetimeUs = Math.max(lifetime(), nowUs - fromUs);
-        usualDensity = live.size() / lifetimePx;
+        usualDensity = eventsPerPx();
         recentre(fit, nowUs);
     }
 
@@ -705,7 +714,7 @@ final class TrackPlane {
         live = spare;
         events += other.events;
         carryOn(nowUs);
-        usualDensity = live.size() / lifetimePx;
+        usualDensity = eventsPerPx();
         return used;
     }
 
