@@ -699,7 +699,7 @@ final class TrackPlane {
     }
 
     /**
-     * Takes over the events of another plane; the motion of both is measured with those that come next.
+     * Takes over the events of another plane; the motion of all is measured with the next event.
      *
      * @param common the motion that serves both
      * @param spare a ring to put them in
@@ -715,6 +715,8 @@ final class TrackPlane {
         events += other.events;
         carryOn(nowUs);
         usualDensity = eventsPerPx();
+        // enough to be measured with the next event, once for all planes that merge now
+        sinceMeasured = live.size();
         return used;
     }
 
