@@ -54,6 +54,9 @@
  * <li><b>A third of the live events</b> at least is measured: the direction of four rectangles, known from the ends
  *     of their edges only, had an sd of 1.7 degrees with 2,000 of 14,000. With the acceleration along edges, of which
  *     nothing is known, left out of what shortens the lifetime, it has 0.7.
+ * <li><b>A look in parts.</b> Each event that is labelled earns the search for structures 150 votes, and it stops where
+ *     they are spent, to go on later: no event waits for a whole look, of up to 9 ms, and the longest thousand events
+ *     take 2 to 3 ms. A new track plane gets what came while its piece was refined.
  * <li><b>Merging by metric.</b> Two planes are one structure when a common velocity, or a common rigid motion, costs
  *     neither more than 2 % of its metric: a straight edge knows only a part of its velocity, and agrees with any that
  *     has that part; the two ends of a body that turns have two velocities, and one motion. A short rotating bar: 3.6
