@@ -15,7 +15,7 @@ final class MemoryBound {
     /** Three arrays of numbers, as long as they may have grown. */
     private static final int SORTING_BYTES = 3 * 2 * Integer.BYTES;
     private static final int LIVE_EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + 3 * Byte.BYTES + Integer.BYTES;
-    private static final int FITTED_EVENT_BYTES = 11 * Integer.BYTES + Byte.BYTES;
+    private static final int FITTED_EVENT_BYTES = 12 * Integer.BYTES + Byte.BYTES;
     /** Of the paper preset's arrays of events; a doubling beyond what fills half of them. */
     private static final long PAPER_EVENTS = 2 * (PaperFlowPlane.MOST_EVENTS + 1);
 

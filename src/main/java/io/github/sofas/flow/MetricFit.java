@@ -17,6 +17,9 @@ final class MetricFit {
     /** Shifts a unit of the parameters that are being fitted. */
     private final float[] along;
     private final ShiftProfile time;
+    /** For an acceleration in any direction, and whether it is that of the events that were fitted last. */
+    private final ShiftProfile square;
+    private boolean squared;
     private final ShiftProfile alongX;
     private final ShiftProfile alongY;
     private final double[] m = new double[9];
@@ -49,6 +52,7 @@ final class MetricFit {
         fromY = new float[capacity];
         along = new float[capacity];
         time = new ShiftProfile(capacity);
+        square = new ShiftProfile(capacity);
         alongX = new ShiftProfile(capacity);
         alongY = new ShiftProfile(capacity);
     }
@@ -98,6 +102,7 @@ final class MetricFit {
     private void prepare() {
         grid.lay();
         time.take(tau, grid.size());
+        squared = false;
     }
 
     /** Sets an upright frame with equal distances. */
@@ -299,11 +304,14 @@ final class MetricFit {
 
     /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
     void fitAcceleration(double dirX, double dirY, double h) {
-        for (int i = 0; i < grid.size(); i++) {
-            along[i] = 0.5f * tau[i] * tau[i];
+        if (!squared) {
+            for (int i = 0; i < grid.size(); i++) {
+                along[i] = 0.5f * tau[i] * tau[i];
+            }
+            square.take(along, grid.size());
+            squared = true;
         }
-        alongX.take(along, grid.size());
-        fitAlong(alongX, dirX, alongX, dirY, h);
+        fitAlong(square, dirX, square, dirY, h);
     }
 
     /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
