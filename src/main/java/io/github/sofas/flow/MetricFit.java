@@ -99,6 +99,12 @@ final class MetricFit {
         return grid.metric(time, vx, time, vy);
     }
 
+    /** Whether the events meet more often where they are than moved back by velocity (vx, vy). */
+    boolean isSharperAtRest(double vx, double vy) {
+        prepare();
+        return metricAt(0, 0) > metricAt(vx, vy);
+    }
+
     private void prepare() {
         grid.lay();
         time.take(tau, grid.size());
@@ -165,16 +171,16 @@ final class MetricFit {
     }
 
     /**
-     * The same around (0, 0) from the centre and its four nearest neighbours, in half the time: in a frame along the
+     * The same from the centre and its four nearest neighbours, in half the time: in a frame along the
      * axes of what is known, the corners tell how it has turned, and little else.
      */
-    void fitCross(double sigmas) {
+    void fitCross(double vx0, double vy0, double sigmas) {
         prepare();
-        double here = metricAt(0, 0);
-        double less1 = metricAt(-h1 * frameX, -h1 * frameY);
-        double more1 = metricAt(h1 * frameX, h1 * frameY);
-        double less2 = metricAt(h2 * frameY, -h2 * frameX);
-        double more2 = metricAt(-h2 * frameY, h2 * frameX);
+        double here = metricAt(vx0, vy0);
+        double less1 = metricAt(vx0 - h1 * frameX, vy0 - h1 * frameY);
+        double more1 = metricAt(vx0 + h1 * frameX, vy0 + h1 * frameY);
+        double less2 = metricAt(vx0 + h2 * frameY, vy0 - h2 * frameX);
+        double more2 = metricAt(vx0 - h2 * frameY, vy0 + h2 * frameX);
         m[4] = here;
         metric = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
         solve((more1 - less1) / 2, (more2 - less2) / 2, less1 + more1 - 2 * here, less2 + more2 - 2 * here, 0, sigmas);

@@ -328,7 +328,7 @@ public record SofasParameters(
     /** The most accurate preset, and the one to start from. */
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
-            12, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
+            9, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
             0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, true,
             1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 2);
     }

@@ -18,15 +18,22 @@ final class StructureSearch {
     /** Share of its events that a piece must not have been looked at with before, in vain. */
     private static final double NEWS = 0.25;
     /**
-     * Votes that the search may give for each event that is labelled: about what labelling it costs. By events, not
-     * by time, so that it keeps up with any rate, and results do not depend on the machine.
+     * Votes that may be given for each event that is labelled: by the track planes' measurements, which cannot wait,
+     * and what they leave by the search, so that a thousand events that need much of both take no longer than others.
+     * By events, not by time, so that it keeps up with any rate, and results do not depend on the machine.
      */
     private static final int VOTES_PER_EVENT = 150;
-    /** Most votes that are saved up. */
-    private static final long MOST_SAVED = 10_000;
+    /** What is left to the search at least: many structures must not keep others from being found. */
+    private static final int LEAST_PER_EVENT = 40;
+    /** Most votes that are saved up, and that are owed for measurements. */
+    private static final long MOST_SAVED = 40_000;
+    private static final long MOST_OWED = 100_000;
     /** Votes of the flow plane, and cells looked through, that cost as much as one vote of a fit. */
     private static final int CHEAP_VOTES = 2;
     private static final int CHEAP_CELLS = 4;
+
+    /** Votes that a look in vain may give for each unmatched event until the next. */
+    private static final int VAIN_VOTES = 10;
 
     private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OUT }
 
@@ -41,8 +48,10 @@ final class StructureSearch {
     private Stage stage = Stage.IDLE;
     private long nextLook;
     private long saved;
+    private long owed;
 
-    // the look that is under way: projection, its pieces, the one that is looked at
+    // the look that is under way: votes of the search before it, projection, its pieces, the one that is looked at
+    private long votesBefore;
     private int projection;
     private boolean found;
     private int piece;
@@ -73,7 +82,10 @@ final class StructureSearch {
 
     /** Looks for structures as far as is due with another event, and hands what it finds to the stack. */
     void run(TrackPlaneStack stack) {
-        saved = Math.min(MOST_SAVED, saved + VOTES_PER_EVENT);
+        owed = Math.min(MOST_OWED, owed + stack.newVotes());
+        long paid = Math.min(owed, VOTES_PER_EVENT - LEAST_PER_EVENT);
+        owed -= paid;
+        saved = Math.min(MOST_SAVED, saved + VOTES_PER_EVENT - paid);
         while (saved > 0 && isBusy()) {
             work(stack);
         }
@@ -107,6 +119,7 @@ final class StructureSearch {
         if (best >= 0) {
             projection = best;
             found = false;
+            votesBefore = fit.votes();
             count = pieces.find(best, p.thresholdSd());
             piece = 0;
             saved -= plane.cells() / CHEAP_CELLS + plane.count(best / n) / CHEAP_VOTES;
@@ -171,7 +184,8 @@ final class StructureSearch {
         } else {
             int held = plane.count(projection / n);
             refusedUntil[projection] = total + Math.max(64, held / 4);
-            nextLook = total + Math.max(EVERY, held / 8);
+            // the more it cost the longer, but as long as much of what is held is as it was
+            nextLook = total + Math.max(EVERY, Math.min(held / 8, (fit.votes() - votesBefore) / VAIN_VOTES));
         }
     }
 
@@ -254,5 +268,6 @@ final class StructureSearch {
         stage = Stage.IDLE;
         nextLook = 0;
         saved = 0;
+        owed = 0;
     }
 }

@@ -478,7 +478,7 @@ final class TrackPlane {
         if (measurements < LEAST_FULL || measurements % FULL_EVERY == 0) {
             fit.fit(0, 0, p.flatSigmas());
         } else {
-            fit.fitCross(p.flatSigmas());
+            fit.fitCross(0, 0, p.flatSigmas());
         }
         // in a thinned sample events meet by so much less
         density = fit.metric() / fit.size() * live.size() / fit.size();

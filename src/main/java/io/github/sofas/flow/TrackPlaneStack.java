@@ -22,6 +22,8 @@ final class TrackPlaneStack {
     private final Consumer<Segment> ended;
     private SofasParameters p;
     private MetricFit fit;
+    /** Votes of the fit that were asked for. */
+    private long counted;
     private TrackPlane[] planes;
     private final List<TrackPlane> unused = new ArrayList<>();
     private LiveEvents spare = new LiveEvents();
@@ -233,6 +235,13 @@ final class TrackPlaneStack {
         return true;
     }
 
+    /** Votes given by measurements since this was asked last, a measure of work. */
+    long newVotes() {
+        long votes = fit.votes() - counted;
+        counted += votes;
+        return votes;
+    }
+
     List<Segment> segments() {
         List<Segment> segments = new ArrayList<>();
         for (int i = 0; i < size; i++) {
@@ -257,6 +266,7 @@ final class TrackPlaneStack {
     /** Measures motion with another fit from now on. */
     void setFit(MetricFit next) {
         fit = next;
+        counted = 0;
     }
 
     void contour(int id, long nowUs, PixelConsumer pixels) {

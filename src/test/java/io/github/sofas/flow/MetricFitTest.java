@@ -179,7 +179,7 @@ public class MetricFitTest {
         }
         double h = 0.4;
         fit.frame(h);
-        fit.fitCross(0);
+        fit.fitCross(0, 0, 0);
         double here = fast(votes, 1.3, 0, 0);
         double left = fast(votes, 1.3, -h, 0);
         double right = fast(votes, 1.3, h, 0);
@@ -189,6 +189,40 @@ public class MetricFitTest {
         assertEquals(h * (down - up) / 2 / (2 * here - up - down), fit.stepY(), 1e-9);
         assertEquals((2 * here - left - right) / 2 / (h * h), fit.lossXx(), 1e-6);
         assertEquals(right, fit.metric(), 0);
+    }
+
+    @Test
+    public void crossLiesAroundTheVelocityItIsGiven() {
+        // events of a point that moves at (3, -2) px/s: around that velocity there is no step to take, around
+        // (3.2, -2) one to the left
+        MetricFit fit = new MetricFit(32, 24, 1.3, 64, 1900);
+        for (int i = -8; i <= 8; i++) {
+            float tau = i / 8f;
+            fit.add(16 + 3 * tau, 12 - 2 * tau, tau, 0, 0, 1);
+        }
+        fit.frame(1);
+        fit.fitCross(3, -2, 0);
+        assertEquals(0, fit.stepX(), 0.05);
+        assertEquals(0, fit.stepY(), 0.05);
+        fit.fitCross(3.2, -2, 0);
+        assertEquals(-0.2, fit.stepX(), 0.1);
+        assertEquals(0, fit.stepY(), 0.05);
+    }
+
+    @Test
+    public void whatHasGoneLessThanHalfAsFarIsSharperAtRest() {
+        // points seen over a second that move by 2 px, and by 6 px: moved back by 6 px a second, the first ones are
+        // spread over 4 px instead of 2, the second ones over none instead of 6
+        for (int travelPx = 2; travelPx <= 6; travelPx += 4) {
+            MetricFit fit = new MetricFit(32, 24, 1.3, 256, 1900);
+            for (int point = 0; point < 5; point++) {
+                for (int i = -8; i <= 8; i++) {
+                    float tau = i / 16f;
+                    fit.add(16 + travelPx * tau, 4 + 4 * point, tau, 0, 0, 1);
+                }
+            }
+            assertEquals(travelPx == 2, fit.isSharperAtRest(6, 0));
+        }
     }
 
     private static void assertNothingIsKnown(MetricFit fit) {
@@ -211,7 +245,7 @@ public class MetricFitTest {
         fit.frame(1);
         fit.fit(0, 0, 2);
         assertNothingIsKnown(fit);
-        fit.fitCross(2);
+        fit.fitCross(0, 0, 2);
         assertNothingIsKnown(fit);
     }
 
@@ -222,12 +256,12 @@ public class MetricFitTest {
         fit.add(4, 4, 0.5f, 1, 1, 1);
         fit.add(4, 4, 0.5f, 1, 1, -1);
         fit.frame(1);
-        fit.fitCross(2);
+        fit.fitCross(0, 0, 2);
         assertEquals(0, fit.metric(), 0);
         fit.fitAcceleration(1, 0, 1);
         assertTrue(Double.isFinite(fit.step()));
         fit.frame(fit.metric(), 1, 0, 1, 0.04, 0.5, 4);
-        fit.fitCross(2);
+        fit.fitCross(0, 0, 2);
         assertTrue(Double.isFinite(fit.stepX()));
         assertTrue(Double.isFinite(fit.stepY()));
     }

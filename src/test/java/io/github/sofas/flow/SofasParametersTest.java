@@ -16,7 +16,7 @@ public class SofasParametersTest {
     /** Component, paper, default; in the record's order. */
     private static final String PINNED = """
         preset PAPER DEFAULT
-        flowProjections 9 12
+        flowProjections 9 9
         velocityScalePxPerS 100.0 100.0
         rangeDeg 180.0 180.0
         refinement 9.0 9.0
