@@ -21,6 +21,12 @@ final class TrackPlane {
      * costs no more an event, and what is weakly known, the velocity along edges, needs many.
      */
     private static final int SAMPLE_PART = 3;
+    /**
+     * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
+     * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
+     * follow each other at once do not, and those of real pixels make it look too fast.
+     */
+    private static final int STRETCHES = 4;
     /** Events that a structure must have had to be waited for while it is hidden. */
     private static final int LEAST_HIDDEN = 200;
     /** Events that may be hidden in a part of the box, to those that would lie there if they lay evenly. */
@@ -442,13 +448,11 @@ final class TrackPlane {
     private int load(MetricFit fit) {
         fit.clear();
         int want = sample();
-        long stride = ((long) live.size() << 16) / want;
+        int left = live.size() - want;
         int shared = 0;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * contour.radius(), STEP_PX);
         for (int k = 0; k < want; k++) {
-            // anywhere within its share of the ring: an even stride would beat with periodic events
-            long place = k * stride + ((k * 0x9E3779B1L & 0xffff) * stride >> 16);
-            int i = live.index((int) (place >> 16));
+            int i = live.index(k + left * (k * STRETCHES / want) / (STRETCHES - 1));
             if (live.shared[i]) {
                 shared++;
                 continue;

@@ -64,6 +64,20 @@ public class AccuracyTest {
     }
 
     @Test
+    public void manyEventsMakeVelocitiesRightToHalfAPercent() {
+        // of events anywhere in the window, a third of all: 0.7, 0.7, 1.1 and 0.7 %
+        assertRelativeError(Scene.HEXAGON, 0.5);
+        assertRelativeError(Scene.LARGE_CIRCLE, 0.5);
+        assertRelativeError(Scene.RECTANGLES, 0.8);
+        assertRelativeError(Scene.TWO_OPPOSITE, 0.5);
+    }
+
+    private static void assertRelativeError(Scene scene, double bound) {
+        double error = evaluate(scene, PLAIN).flow().relativeEndpointErrorPercent().mean();
+        assertTrue(scene.sceneName() + ": relative endpoint error " + error, error <= bound);
+    }
+
+    @Test
     public void directionDoesNotMatter() {
         assertOneSegment(Scene.HEXAGON, PLAIN.withDirectionDeg(35).withSeed(2), 0.5, 1.5, 0.5, 1.5, 0.99);
         assertOneSegment(Scene.RECTANGLES, PLAIN.withDirectionDeg(200).withSeed(3), 1, 2, 1, 2, 0.98);
