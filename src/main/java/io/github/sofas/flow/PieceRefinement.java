@@ -69,8 +69,7 @@ final class PieceRefinement {
 
     private void load(FlowPlane plane, int[] events, int from, long referenceUs) {
         fit.clear();
-        // half a sample: right to a few percent is enough to begin with
-        int want = Math.min(size, p.sampleEvents() / 2);
+        int want = Math.min(size, Math.min(fit.capacity(), p.sampleEvents()));
         long stride = ((long) size << 16) / want;
         for (int a = 0; a < want; a++) {
             int e = events[from + (int) (a * stride >> 16)];

@@ -63,7 +63,7 @@ import java.lang.reflect.RecordComponent;
  * @param voteCellPx side of the cells that velocities are measured with in px, 0.5 to 8 (ours, because cells as large
  *     as pixels favour whole pixels of travel; {@code default} only)
  * @param sampleEvents events that a velocity is measured from, where they meet often, 32 to 16,384 (ours, because the
- *     cost of a measurement grows with them, and 2,000 reach a percent; {@code default} only)
+ *     cost of a measurement grows with them, and 1,000 reach half a percent; {@code default} only)
  * @param sampleDensity metric an event below which a sample is enlarged, 0 to 100 (ours, because thinning events
  *     thins their meetings by the square; {@code default} only)
  * @param neighbourLoss share of the metric that neighbouring projections are to lose, 0.001 to 1 (ours, in place of
@@ -329,7 +329,7 @@ public record SofasParameters(
     public static SofasParameters defaults() {
         return new SofasParameters(Preset.DEFAULT,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
-            0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, true,
+            0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 1000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, true,
             1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 2);
     }
 

@@ -20,7 +20,10 @@ final class TrackPlane {
      * A sample has at least this part of the live events: measurements are the rarer the more there are, so that it
      * costs no more an event, and what is weakly known, the velocity along edges, needs many.
      */
-    private static final int SAMPLE_PART = 3;
+    private static final int SAMPLE_PART = 4;
+    /** Fewest events between two measurements, and live events of which a quarter must be new. */
+    private static final int LEAST_NEWS = 40;
+    private static final int FEW_EVENTS = 2000;
     /**
      * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
      * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
@@ -181,9 +184,15 @@ final class TrackPlane {
         }
         append(x, y, timeUs, polarity, shared, remembered);
         sinceMeasured++;
-        if (sinceMeasured >= Math.max(40, Math.max(sample() / 4, live.size() / 12))) {
+        if (sinceMeasured >= newsNeeded()) {
             recentre(fit, timeUs);
         }
+    }
+
+    /** Events until the motion is measured anew: a quarter of few, a twelfth of many, more where all are needed. */
+    private int newsNeeded() {
+        int n = live.size();
+        return Math.max(LEAST_NEWS, Math.max(Math.max(sample(), Math.min(n, FEW_EVENTS)) / 4, n / 12));
     }
 
     private void append(int x, int y, long timeUs, int polarity, boolean shared, boolean remembered) {

@@ -42,7 +42,7 @@ public class SofasParametersTest {
         memoryPx 0.0 64.0
         maxMemoryUs 0 2000000
         voteCellPx 1.3 1.3
-        sampleEvents 2000 2000
+        sampleEvents 2000 1000
         sampleDensity 1.5 1.5
         neighbourLoss 0.04 0.04
         minStepPx 0.5 0.5
