@@ -145,8 +145,11 @@ final class SegmentArrow {
                 double besideX = fromX - along * dx;
                 double besideY = fromY - along * dy;
                 double square = besideX * besideX + besideY * besideY;
-                if (square < reach * reach) {
-                    canvas.blend(y * canvas.width() + x, rgb, (int) (256 * Math.min(1, reach - Math.sqrt(square))));
+                // lines are wider than a pixel, so that some lie wholly within
+                if (square <= (reach - 1) * (reach - 1)) {
+                    canvas.fill(y * canvas.width() + x, 1, rgb);
+                } else if (square < reach * reach) {
+                    canvas.blend(y * canvas.width() + x, rgb, (int) (256 * (reach - Math.sqrt(square))));
                 }
             }
         }
