@@ -18,6 +18,7 @@ import io.github.sofas.render.Panel;
 import io.github.sofas.render.PictureOptions;
 import io.github.sofas.render.PictureSheet;
 import io.github.sofas.render.PngFilm;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -233,7 +234,9 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             while (!frames.isEmpty() && frames.peek().timeUs() <= timeUs) {
                 sheet.show(frames.remove());
             }
-            film.add(sheet.paint(timeUs, timeUs - firstUs, labeller instanceof Sofas ? (Sofas) labeller : null));
+            BufferedImage picture = sheet.paint(timeUs, timeUs - firstUs,
+                labeller instanceof Sofas ? (Sofas) labeller : null);
+            film.add(picture, sheet.changedBlocks());
             pictures++;
             most = pictures == timing.maxPictures();
             over |= most;

@@ -80,16 +80,36 @@ final class CoefficientWriter {
     }
 
     private void write(int code) {
-        write(code & 0xFFFF, code >>> 16);
+        write(code & 0xFFFFL, code >>> 16);
     }
 
-    /** Writes the lowest bits of a value; the others must be 0. */
-    private void write(int value, int bits) {
+    /** Writes the lowest bits of a value, 32 at most; the others must be 0. */
+    private void write(long value, int bits) {
         waiting = waiting << bits | value;
         waitingBits += bits;
         if (waitingBits >= Integer.SIZE) {
             waitingBits -= Integer.SIZE;
             out.putInt((int) (waiting >>> waitingBits));
+        }
+    }
+
+    /** Writes up to 128 bits, of which the first is the highest of the first word. */
+    void write(long first, long second, int bits) {
+        long word = first;
+        int rest = bits;
+        if (rest > Long.SIZE) {
+            write(word >>> Integer.SIZE, Integer.SIZE);
+            write(word & 0xFFFF_FFFFL, Integer.SIZE);
+            word = second;
+            rest -= Long.SIZE;
+        }
+        if (rest > Integer.SIZE) {
+            write(word >>> Integer.SIZE, Integer.SIZE);
+            word <<= Integer.SIZE;
+            rest -= Integer.SIZE;
+        }
+        if (rest > 0) {
+            write(word >>> Long.SIZE - rest, rest);
         }
     }
 
@@ -105,7 +125,7 @@ final class CoefficientWriter {
 
     /** Writes what is still waiting, after a 1 that ends the slice. */
     void end() {
-        write(1, 1);
+        write(1L, 1);
         for (; waitingBits > 0; waitingBits -= Byte.SIZE) {
             out.put((byte) (waitingBits >= Byte.SIZE ? waiting >>> waitingBits - Byte.SIZE
                 : waiting << Byte.SIZE - waitingBits));
@@ -122,7 +142,8 @@ final class CoefficientWriter {
      * @param neighbours the mean of the coefficients that the blocks left and above have
      */
     void writeBlock(int[] levels, int found, int first, int neighbours) {
-        write(levels, found, first, 16, TOKENS[Math.min(neighbours, 8)], ZEROS);
+        writeToken(token(levels, found), neighbours);
+        writeLevels(levels, found, first, 16, ZEROS);
     }
 
     /** Writes the four coefficients that stand for the mean colours of a macroblock. */
@@ -131,15 +152,50 @@ final class CoefficientWriter {
         for (int i = 0; i < 4; i++) {
             found |= means[i] == 0 ? 0 : 1 << i;
         }
-        write(means, found, 0, 4, COLOUR_TOKENS, COLOUR_ZEROS);
+        write(COLOUR_TOKENS[token(means, found)]);
+        writeLevels(means, found, 0, 4, COLOUR_ZEROS);
     }
 
-    private void write(int[] values, int found, int first, int end, int[] tokens, int[][] zeroCodes) {
+    /**
+     * What a block's code begins with: how many coefficients it has, times 16, and how many ones end them, up to three.
+     *
+     * @param found which of the levels are not zero, as bits
+     */
+    static int token(int[] levels, int found) {
+        int rest = found;
+        int ones = 0;
+        while (rest != 0 && ones < 3 && Math.abs(levels[highest(rest)]) == 1) {
+            rest ^= 1 << highest(rest);
+            ones++;
+        }
+        return H264Const.coeffToken(Integer.bitCount(found), ones);
+    }
+
+    private static int highest(int bits) {
+        return Integer.SIZE - 1 - Integer.numberOfLeadingZeros(bits);
+    }
+
+    /** Writes how a block begins; the one part of its code that depends on others. */
+    void writeToken(int token, int neighbours) {
+        write(TOKENS[Math.min(neighbours, 8)][token]);
+    }
+
+    /** Writes what follows the token of a block whose first coefficient is not written elsewhere; how many bits. */
+    int writeLevels(int[] levels, int found) {
+        int before = out.position() * Byte.SIZE + waitingBits;
+        writeLevels(levels, found, 0, 16, ZEROS);
+        return out.position() * Byte.SIZE + waitingBits - before;
+    }
+
+    private void writeLevels(int[] values, int found, int first, int end, int[][] zeroCodes) {
         int count = 0;
         for (int rest = found; rest != 0; rest &= rest - 1) {
             places[count] = Integer.numberOfTrailingZeros(rest);
             levels[count] = values[places[count]];
             count++;
+        }
+        if (count == 0) {
+            return;
         }
         int ones = 0;
         int signs = 0;
@@ -147,19 +203,16 @@ final class CoefficientWriter {
             signs = signs << 1 | levels[count - 1 - ones] >>> 31;
             ones++;
         }
-        write(tokens[H264Const.coeffToken(count, ones)]);
-        if (count > 0) {
-            write(signs, ones);
-            writeLevels(count, ones);
-            int zeros = places[count - 1] - first - (count - 1);
-            if (count < end - first) {
-                write(zeroCodes[count - 1][zeros]);
-            }
-            for (int i = count - 1; i > 0 && zeros > 0; i--) {
-                int run = places[i] - places[i - 1] - 1;
-                write(RUNS[Math.min(zeros, RUNS.length) - 1][run]);
-                zeros -= run;
-            }
+        write(signs, ones);
+        writeLevels(count, ones);
+        int zeros = places[count - 1] - first - (count - 1);
+        if (count < end - first) {
+            write(zeroCodes[count - 1][zeros]);
+        }
+        for (int i = count - 1; i > 0 && zeros > 0; i--) {
+            int run = places[i] - places[i - 1] - 1;
+            write(RUNS[Math.min(zeros, RUNS.length) - 1][run]);
+            zeros -= run;
         }
     }
 

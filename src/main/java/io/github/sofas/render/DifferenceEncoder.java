@@ -1,12 +1,7 @@
 package io.github.sofas.render;
 
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
-import java.nio.ByteOrder;
-import java.util.Arrays;
 import org.jcodec.codecs.h264.H264Const;
 import org.jcodec.codecs.h264.io.model.MBType;
-import org.jcodec.common.model.Picture;
 
 /**
  * Encodes what a picture has other than the picture before, in H.264 without smoothing. Each block of 16 x 16 pixels is
@@ -24,49 +19,50 @@ final class DifferenceEncoder {
     /** Longest motion vector, in pixels. */
     private static final int FARTHEST = 2047;
     private static final int QUARTERS = 4;
-    /** Four pixels at once. */
-    private static final VarHandle FOUR = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
-    private static final int ALL_FOUR = 0x01010101;
+    private static final int LUMA_PARTS = 0xFFFF;
+    /** Parts at the right edge of a block, in all planes. */
+    private static final int EDGE_PARTS = 0xAA8888;
 
     private final int columns;
     private final int rows;
-    /** The picture before as it was given, and as the player sees it. */
-    private final Picture before;
-    private final Picture seen;
+    /** The picture before as the player sees it. */
+    private final BlockPicture seen;
     private final Macroblock block;
     /** Which blocks of 16 x 16 are predicted as ground. */
     private final boolean[] isGround;
     /** Blocks that were not written since the last that was. */
     private int skipped;
-    /** Ground of each row of pixels of a row of blocks, in each plane: as it is given now, and as the player saw it. */
-    private final byte[][] groundNow = {new byte[16], new byte[8], new byte[8]};
-    private final byte[][] groundSeen = {new byte[16], new byte[8], new byte[8]};
+    /** Ground of a row of blocks, as a block of its own: as it is given now, and as the player saw it. */
+    private final long[] groundNow = new long[BlockPicture.BLOCK_WORDS];
+    private final long[] groundSeen = new long[BlockPicture.BLOCK_WORDS];
 
     /**
      * Prepares for pictures of a size.
      *
-     * @param before the picture before, which the caller brings up to date after each
-     * @param seen the same as the player sees it; kept up to date here
+     * @param seen the picture before as the player sees it; kept up to date here
      */
-    DifferenceEncoder(int columns, int rows, Picture before, Picture seen) {
-        this.columns = columns;
-        this.rows = rows;
-        this.before = before;
+    DifferenceEncoder(BlockPicture seen) {
+        this.columns = seen.columns;
+        this.rows = seen.rows;
         this.seen = seen;
-        block = new Macroblock(columns, rows, QUANTISATION, seen);
+        PartTransform transform = new PartTransform(QUANTISATION);
+        block = new Macroblock(transform, new KnownParts(transform), seen);
         isGround = new boolean[columns * rows];
     }
 
     /**
      * Writes a picture's blocks.
      *
-     * @param changed of each block, row by row, whether it may differ from the picture before
+     * @param changed of each block, row by row, the parts that differ from the picture before, as bits
      */
-    void encode(Picture picture, boolean[] changed, CoefficientWriter bits) {
+    void encode(BlockPicture picture, int[] changed, CoefficientWriter bits) {
         block.begin();
         skipped = 0;
         for (int row = 0; row < rows; row++) {
-            boolean groundStays = findGround(picture, row) && columns * 16 <= FARTHEST;
+            int last = (row + 1) * columns - 1;
+            ground(picture.words, last * BlockPicture.BLOCK_WORDS, groundNow);
+            ground(seen.words, last * BlockPicture.BLOCK_WORDS, groundSeen);
+            boolean groundStays = (changed[last] & EDGE_PARTS) == 0 && columns * 16 <= FARTHEST;
             for (int column = 0; column < columns; column++) {
                 encode(picture, column, row, changed[row * columns + column], groundStays, bits);
             }
@@ -76,23 +72,23 @@ final class DifferenceEncoder {
         }
     }
 
-    private void encode(Picture picture, int column, int row, boolean hasChanged, boolean groundStays,
+    private void encode(BlockPicture picture, int column, int row, int changed, boolean groundStays,
                         CoefficientWriter bits) {
         int at = row * columns + column;
         boolean skipsToGround = column > 0 && row > 0 && isGround[at - 1] && isGround[at - columns];
-        int parts = hasChanged ? differing(picture, 0, column, row, false) : 0;
+        int parts = changed;
         boolean fromGround = false;
-        if (groundStays && (hasChanged || skipsToGround)) {
-            // nearer is what fewer of the 16 parts differ from
-            int besideGround = differing(picture, 0, column, row, true);
-            int fewer = Integer.bitCount(parts) - Integer.bitCount(besideGround);
+        if (groundStays && (changed != 0 || skipsToGround)) {
+            // nearer is what fewer of the 16 parts of brightness differ from
+            int besideGround = besideGround(picture.words, at * BlockPicture.BLOCK_WORDS);
+            int fewer = Integer.bitCount(changed & LUMA_PARTS) - Integer.bitCount(besideGround & LUMA_PARTS);
             fromGround = fewer > 0 || fewer == 0 && skipsToGround;
             parts = fromGround ? besideGround : parts;
         }
         isGround[at] = fromGround;
-        int pattern = fromGround || hasChanged ? transform(picture, column, row, fromGround, parts) : 0;
+        int pattern = parts == 0 ? 0 : transform(picture.words, at * BlockPicture.BLOCK_WORDS, fromGround, parts);
         if (fromGround) {
-            paintGround(column, row);
+            System.arraycopy(groundSeen, 0, seen.words, at * BlockPicture.BLOCK_WORDS, BlockPicture.BLOCK_WORDS);
         }
         if (pattern == 0 && fromGround == skipsToGround) {
             skipped++;
@@ -113,38 +109,31 @@ final class DifferenceEncoder {
         }
     }
 
-    /** Takes the ground of a row of blocks; whether it is as it was. */
-    private boolean findGround(Picture picture, int row) {
-        boolean stays = true;
+    /** Continues the rightmost values of a block over a block. */
+    private static void ground(long[] words, int last, long[] ground) {
         for (int plane = 0; plane < 3; plane++) {
-            int side = Macroblock.side(plane);
-            for (int y = 0; y < side; y++) {
-                int last = (row * side + y + 1) * columns * side - 1;
-                groundNow[plane][y] = picture.getPlaneData(plane)[last];
-                groundSeen[plane][y] = seen.getPlaneData(plane)[last];
-                stays &= groundNow[plane][y] == before.getPlaneData(plane)[last];
+            int across = BlockPicture.side(plane) >> 2;
+            int first = BlockPicture.firstPart(plane);
+            for (int part = 0; part < across * across; part++) {
+                int edge = last + 2 * (first + part / across * across + across - 1);
+                for (int half = 0; half < 2; half++) {
+                    // the last of either row of four
+                    long upper = words[edge + half] >>> 24 & 0xFF;
+                    long lower = words[edge + half] >>> 56;
+                    ground[2 * (first + part) + half] = (upper | lower << 32) * 0x01010101L;
+                }
             }
         }
-        return stays;
     }
 
-    /** The parts of 4 x 4 values of a block in a plane that differ from the ground or the picture before, as bits. */
-    private int differing(Picture picture, int plane, int column, int row, boolean fromGround) {
-        int stride = columns * Macroblock.side(plane);
-        int parts = plane == 0 ? 16 : 4;
+    /** The parts of a block that differ from the ground, as bits. */
+    private int besideGround(long[] words, int at) {
         int differing = 0;
-        for (int i = 0; i < parts; i++) {
-            int at = block.place(i, plane, column, row);
-            boolean differs = fromGround ? differsFromGround(picture, plane, at, stride, groundRow(i, plane))
-                : hasChanged(picture, plane, at, stride);
-            differing |= differs ? 1 << i : 0;
+        for (int i = 0; i < BlockPicture.BLOCK_WORDS; i += 2) {
+            long difference = words[at + i] ^ groundNow[i] | words[at + i + 1] ^ groundNow[i + 1];
+            differing |= difference == 0 ? 0 : 1 << (i >> 1);
         }
         return differing;
-    }
-
-    /** The first row of a part in its block. */
-    private static int groundRow(int part, int plane) {
-        return plane == 0 ? part >> 2 << 2 : part >> 1 << 2;
     }
 
     /** Whether a block whose place is not told is expected to be ground, as most of its neighbours are. */
@@ -160,75 +149,21 @@ final class DifferenceEncoder {
         return left && (above || corner) || above && corner;
     }
 
-    /** Transforms the differences to what is predicted, of brightness in the parts given; the coded block pattern. */
-    private int transform(Picture picture, int column, int row, boolean fromGround, int lumaParts) {
-        for (int rest = lumaParts; rest != 0; rest &= rest - 1) {
-            int i = Integer.numberOfTrailingZeros(rest);
-            subtract(picture, 0, block.place(i, 0, column, row), fromGround ? groundRow(i, 0) : -1, block.luma[i]);
-        }
-        int quarters = block.transformLuma(lumaParts);
-        int colourParts = 0;
+    /** Transforms the differences of parts to what is predicted; the coded block pattern. */
+    private int transform(long[] now, int at, boolean fromGround, int parts) {
+        long[] predicted = fromGround ? groundSeen : seen.words;
+        int predictedAt = fromGround ? 0 : at;
+        int quarters = block.transformLuma(parts & LUMA_PARTS, now, at, predicted, predictedAt);
+        int colourParts = parts >> BlockPicture.COLOUR_PARTS;
         int greatest = 0;
-        for (int k = 0; k < 2; k++) {
-            int parts = differing(picture, k + 1, column, row, fromGround);
-            for (int rest = parts; rest != 0; rest &= rest - 1) {
-                int i = Integer.numberOfTrailingZeros(rest);
-                greatest = Math.max(greatest, subtract(picture, k + 1, block.place(i, k + 1, column, row),
-                    fromGround ? groundRow(i, 1) : -1, block.colour[k][i]));
-            }
-            colourParts |= parts << 4 * k;
+        for (int rest = colourParts; rest != 0; rest &= rest - 1) {
+            int i = Integer.numberOfTrailingZeros(rest);
+            int word = 2 * (BlockPicture.COLOUR_PARTS + i);
+            greatest = Math.max(greatest, PartTransform.subtract(now[at + word], predicted[predictedAt + word],
+                block.colour[i], 0));
+            greatest = Math.max(greatest, PartTransform.subtract(now[at + word + 1], predicted[predictedAt + word + 1],
+                block.colour[i], 8));
         }
         return quarters | (greatest > UNSEEN ? block.transformColour(colourParts) << 4 : 0);
-    }
-
-    /**
-     * Takes the difference of 4 x 4 values to what is predicted.
-     *
-     * @param groundRow row in the block, where ground is predicted; -1 where the picture before is
-     * @return the greatest difference
-     */
-    private int subtract(Picture picture, int plane, int at, int groundRow, int[] part) {
-        int stride = columns * Macroblock.side(plane);
-        byte[] now = picture.getPlaneData(plane);
-        byte[] then = seen.getPlaneData(plane);
-        int greatest = 0;
-        for (int i = 0; i < 16; i++) {
-            int pixel = at + (i >> 2) * stride + (i & 3);
-            part[i] = now[pixel] - (groundRow < 0 ? then[pixel] : groundSeen[plane][groundRow + (i >> 2)]);
-            greatest = Math.max(greatest, Math.abs(part[i]));
-        }
-        return greatest;
-    }
-
-    /** Whether 4 x 4 values have. */
-    private boolean hasChanged(Picture picture, int plane, int at, int stride) {
-        byte[] now = picture.getPlaneData(plane);
-        byte[] then = before.getPlaneData(plane);
-        int difference = 0;
-        for (int y = 0; y < 4; y++) {
-            difference |= (int) FOUR.get(now, at + y * stride) ^ (int) FOUR.get(then, at + y * stride);
-        }
-        return difference != 0;
-    }
-
-    private boolean differsFromGround(Picture picture, int plane, int at, int stride, int groundRow) {
-        byte[] now = picture.getPlaneData(plane);
-        int difference = 0;
-        for (int y = 0; y < 4; y++) {
-            difference |= (int) FOUR.get(now, at + y * stride) ^ (groundNow[plane][groundRow + y] & 0xFF) * ALL_FOUR;
-        }
-        return difference != 0;
-    }
-
-    /** Makes a block that is seen ground. */
-    private void paintGround(int column, int row) {
-        for (int plane = 0; plane < 3; plane++) {
-            byte[] pixels = seen.getPlaneData(plane);
-            int side = Macroblock.side(plane);
-            int at = block.place(0, plane, column, row);
-            for (int y = 0; y < side; y++, at += columns * side) {
-                Arrays.fill(pixels, at, at + side, groundSeen[plane][y]);
-            }
-        }
     }
 }

@@ -13,4 +13,15 @@ public interface Film extends Closeable {
      * @throws IOException where it cannot be written
      */
     void add(BufferedImage picture) throws IOException;
+
+    /**
+     * Adds a picture of which it is known where it may differ from the one before.
+     *
+     * @param picture not kept
+     * @param mayDiffer of each block of 16 x 16 pixels, row by row, whether it may; all blocks of the first picture
+     * @throws IOException where it cannot be written
+     */
+    default void add(BufferedImage picture, boolean[] mayDiffer) throws IOException {
+        add(picture);
+    }
 }

@@ -13,8 +13,6 @@ import org.jcodec.codecs.h264.io.model.SliceHeader;
 import org.jcodec.codecs.h264.io.model.SliceType;
 import org.jcodec.codecs.h264.io.write.SliceHeaderWriter;
 import org.jcodec.common.io.BitWriter;
-import org.jcodec.common.model.ColorSpace;
-import org.jcodec.common.model.Picture;
 import org.jcodec.common.model.Size;
 
 /**
@@ -36,11 +34,7 @@ final class FilmEncoder {
 
     private final SeqParameterSet sps;
     private final PictureParameterSet pps;
-    private final int columns;
-    private final int rows;
-    /** The picture before as it was given, and as the player sees it. */
-    private final Picture before;
-    private final Picture seen;
+    private final int blocks;
     private final WholeEncoder whole;
     private final DifferenceEncoder differences;
     private final ByteBuffer slice;
@@ -50,31 +44,31 @@ final class FilmEncoder {
     FilmEncoder(int width, int height) {
         H264Encoder parameters = new H264Encoder(new DumbRateControl());
         parameters.setKeyInterval(KEY_INTERVAL);
-        columns = width / 16;
-        rows = height / 16;
+        int columns = width / 16;
+        int rows = height / 16;
+        blocks = columns * rows;
         sps = parameters.initSPS(new Size(width, height));
-        sps.levelIdc = columns * rows > LEVEL_4_BLOCKS ? 51 : 40;
+        sps.levelIdc = blocks > LEVEL_4_BLOCKS ? 51 : 40;
         pps = parameters.initPPS();
         pps.deblockingFilterControlPresentFlag = true;
-        before = Picture.create(width, height, ColorSpace.YUV420J);
-        seen = Picture.create(width, height, ColorSpace.YUV420J);
-        whole = new WholeEncoder(columns, rows, seen);
-        differences = new DifferenceEncoder(columns, rows, before, seen);
+        BlockPicture seen = new BlockPicture(columns, rows);
+        whole = new WholeEncoder(seen);
+        differences = new DifferenceEncoder(seen);
         slice = ByteBuffer.allocate(maxBytes());
     }
 
     /** No picture takes more. */
     int maxBytes() {
-        return (1 << 16) + columns * rows * 1024;
+        return (1 << 16) + blocks * 1024;
     }
 
     /**
      * Appends a picture to the buffer.
      *
-     * @param changed of each block, row by row, whether it may differ from the picture before
+     * @param changed of each block, row by row, the parts that differ from the picture before, as bits
      * @return whether it is a whole one
      */
-    boolean encode(Picture picture, boolean[] changed, ByteBuffer out) {
+    boolean encode(BlockPicture picture, int[] changed, ByteBuffer out) {
         boolean isKey = number % KEY_INTERVAL == 0;
         if (isKey) {
             number = 0;
@@ -96,10 +90,6 @@ final class FilmEncoder {
         out.putInt(START_CODE);
         new NALUnit(isKey ? NALUnitType.IDR_SLICE : NALUnitType.NON_IDR_SLICE, 3).write(out);
         H264Utils.escapeNAL(slice, out);
-        for (int plane = 0; plane < 3; plane++) {
-            System.arraycopy(picture.getPlaneData(plane), 0, before.getPlaneData(plane), 0,
-                picture.getPlaneData(plane).length);
-        }
         number++;
         return isKey;
     }

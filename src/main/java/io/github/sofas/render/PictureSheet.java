@@ -13,7 +13,6 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -73,11 +72,11 @@ public final class PictureSheet {
     private final int[] speeds = new int[SPEEDS.length];
     private final SeenSegments seen = new SeenSegments();
 
-    private final BufferedImage picture;
-    private final int[] pixels;
+    private final Canvas canvas;
+    private final TimeStamp timeStamp;
     private final int width;
-    private final int[] base;
-    private double baseFullPxPerS;
+    /** What the legends on the canvas's ground say; 0 before the first. */
+    private double groundFullPxPerS;
 
     /**
      * Makes a sheet on which nothing has been seen.
@@ -121,9 +120,8 @@ public final class PictureSheet {
             throw new IllegalArgumentException("a picture must have at most " + MOST_PIXELS + " pixels but would be "
                 + width + "x" + height + ": take a smaller scale or fewer panels");
         }
-        picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        pixels = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();
-        base = new int[pixels.length];
+        canvas = new Canvas(width, height);
+        timeStamp = new TimeStamp(theme.text);
     }
 
     private static int blocks(int size) {
@@ -210,40 +208,37 @@ public final class PictureSheet {
      */
     public BufferedImage paint(long timeUs, long shownUs, Sofas engine) {
         survey(timeUs);
-        if (baseFullPxPerS != fullPxPerS) {
-            paintBase();
+        canvas.wipe();
+        if (groundFullPxPerS != fullPxPerS) {
+            paintGround();
         }
-        System.arraycopy(base, 0, pixels, 0, pixels.length);
         for (int k = 0; k < options.panels().size(); k++) {
             paintEvents(k);
         }
-        Graphics2D g = graphics(picture);
         for (int k = 0; k < options.panels().size(); k++) {
             Panel panel = options.panels().get(k);
-            g.setClip(left(k), top(k), panelWidth(), panelHeight());
             if (panel == Panel.CONTOURS && engine != null) {
                 paintContours(k, engine);
-            }
-            if (panel == Panel.GREY && frame == null) {
-                g.setColor(new Color(theme.text));
-                g.drawString("no frame so far", left(k) + MARGIN, top(k) + 2 * MARGIN);
             }
             if (panel == Panel.SEGMENTS || panel == Panel.CONTOURS) {
                 paintArrows(k);
             }
         }
-        g.setClip(null);
-        g.setColor(new Color(theme.text));
-        g.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 13));
-        String stamp = String.format(Locale.ROOT, "%.3f s", shownUs * 1e-6);
-        g.drawString(stamp, left(0) + panelWidth() - g.getFontMetrics().stringWidth(stamp), TITLE - 7);
-        g.dispose();
-        return picture;
+        timeStamp.paint(canvas, shownUs, left(0) + panelWidth(), TITLE - 7);
+        return canvas.image();
+    }
+
+    /**
+     * Where the picture painted last may differ from the one before: of each block of 16 x 16 pixels, row by row,
+     * whether it may. The same array at every call, until the next picture.
+     */
+    public boolean[] changedBlocks() {
+        return canvas.changed();
     }
 
     /** A panel alone of the picture painted last, without its title and legend; part of that picture, not a copy. */
     public BufferedImage panel(int k) {
-        return picture.getSubimage(left(k), top(k), panelWidth(), panelHeight());
+        return canvas.image().getSubimage(left(k), top(k), panelWidth(), panelHeight());
     }
 
     private boolean isExposed(int at, long timeUs) {
@@ -262,7 +257,10 @@ public final class PictureSheet {
             }
         }
         segmentColours.assign(seen);
-        int withFlow = Arrays.stream(speeds).sum();
+        int withFlow = 0;
+        for (int count : speeds) {
+            withFlow += count;
+        }
         if (options.fullPxPerS() == 0 && withFlow > 100) {
             // the step below which nine tenths of the pixels are
             int below = 0;
@@ -304,7 +302,7 @@ public final class PictureSheet {
         for (int row = 0; row < crop.height(); row++) {
             int to = (top(k) + row * scale) * width + left(k);
             for (int column = 0; column < crop.width(); column++, to += scale) {
-                fill(to, grey[frame.level(crop.x() + column, crop.y() + row)]);
+                canvas.fill(to, scale, grey[frame.level(crop.x() + column, crop.y() + row)]);
             }
         }
     }
@@ -318,10 +316,12 @@ public final class PictureSheet {
             return;
         }
         int[] colours = new int[seen.size()];
-        Arrays.setAll(colours, i -> segmentColours.rgb(seen.id(i)));
+        for (int i = 0; i < colours.length; i++) {
+            colours[i] = segmentColours.rgb(seen.id(i));
+        }
         int corner = top(k) * width + left(k);
         for (int i = 0; i < exposedPixels; i++) {
-            fill(corner + exposedPlace[i], colour(panel, exposed[i], exposedSegment[i], colours));
+            canvas.fill(corner + exposedPlace[i], scale, colour(panel, exposed[i], exposedSegment[i], colours));
         }
     }
 
@@ -335,15 +335,6 @@ public final class PictureSheet {
         return panel == Panel.FLOW ? flowColours.rgb(vx[at], vy[at], fullPxPerS) : colours[seenSegment];
     }
 
-    private void fill(int to, int rgb) {
-        // a few pixels: calls to fill an array would take longer
-        for (int r = 0, from = to; r < scale; r++, from += width) {
-            for (int i = from; i < from + scale; i++) {
-                pixels[i] = rgb;
-            }
-        }
-    }
-
     private void paintContours(int k, Sofas engine) {
         for (Segment each : engine.segments()) {
             int rgb = segmentColours.rgb(each.id());
@@ -351,7 +342,7 @@ public final class PictureSheet {
                 int column = x - crop.x();
                 int row = y - crop.y();
                 if (column >= 0 && column < crop.width() && row >= 0 && row < crop.height()) {
-                    fill((top(k) + row * scale) * width + left(k) + column * scale, rgb);
+                    canvas.fill((top(k) + row * scale) * width + left(k) + column * scale, scale, rgb);
                 }
             });
         }
@@ -370,7 +361,7 @@ public final class PictureSheet {
                     seen.vx(i) * perPxPerS, seen.vy(i) * perPxPerS));
             }
         }
-        SegmentArrow.paint(picture, panel, arrows, theme.sensor, segmentNames);
+        SegmentArrow.paint(canvas, panel, arrows, theme.sensor, segmentNames);
     }
 
     /** Length of the arrow of the full speed, in screen pixels. */
@@ -387,7 +378,8 @@ public final class PictureSheet {
     }
 
     /** Titles, legends and empty panels, which stay from picture to picture. */
-    private void paintBase() {
+    private void paintGround() {
+        BufferedImage picture = canvas.image();
         Graphics2D g = graphics(picture);
         g.setColor(new Color(theme.page));
         g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
@@ -402,11 +394,15 @@ public final class PictureSheet {
             g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 14));
             g.drawString(panel.title, left(k), top(k) - 7);
             g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+            if (panel == Panel.GREY) {
+                // frames cover it
+                g.drawString("no frame so far", left(k) + MARGIN, top(k) + 2 * MARGIN);
+            }
             paintLegend(g, panel, left(k), top(k) + panelHeight() + 6);
         }
         g.dispose();
-        System.arraycopy(pixels, 0, base, 0, base.length);
-        baseFullPxPerS = fullPxPerS;
+        canvas.keepAsGround();
+        groundFullPxPerS = fullPxPerS;
     }
 
     private void paintLegend(Graphics2D g, Panel panel, int x, int y) {
@@ -431,7 +427,7 @@ public final class PictureSheet {
                 g.setColor(new Color(theme.text));
                 g.drawString(panel == Panel.SEGMENTS ? "a colour and a number: one moving structure"
                     : "where each structure's next events are expected", x, y + 12);
-                SegmentArrow.draw(picture, picture.getRaster().getBounds(),
+                SegmentArrow.draw(canvas, canvas.image().getRaster().getBounds(),
                     new Line2D.Double(x + 2, y + 28, x + 2 + barLength(), y + 28), SegmentArrow.WIDTH, theme.text);
                 g.drawString(full, (int) (x + barLength() + 12), y + 33);
                 swatch(g, x, y + 38, theme.faint, panel == Panel.SEGMENTS ? "no segment" : "events");
@@ -450,7 +446,7 @@ public final class PictureSheet {
         for (int dy = -radius; dy <= radius; dy++) {
             for (int dx = -radius; dx <= radius; dx++) {
                 if (dx * dx + dy * dy <= radius * radius) {
-                    pixels[(centreY + dy) * width + centreX + dx] = flowColours.rgb(dx, dy, radius);
+                    canvas.fill((centreY + dy) * width + centreX + dx, 1, flowColours.rgb(dx, dy, radius));
                 }
             }
         }

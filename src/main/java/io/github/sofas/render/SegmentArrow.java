@@ -1,10 +1,8 @@
 package io.github.sofas.render;
 
-import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -44,24 +42,21 @@ final class SegmentArrow {
     }
 
     /** Paints all of a panel; names of larger segments find their place first. */
-    static void paint(BufferedImage picture, Rectangle panel, List<SegmentArrow> arrows, int ground,
-                      SegmentNames names) {
+    static void paint(Canvas canvas, Rectangle panel, List<SegmentArrow> arrows, int ground, SegmentNames names) {
         List<SegmentArrow> sorted = new ArrayList<>(arrows);
         sorted.sort(Comparator.comparingInt((SegmentArrow arrow) -> arrow.pixels).reversed());
         for (SegmentArrow each : sorted) {
             each.line = each.within(panel);
-            draw(picture, panel, each.line, GROUND_WIDTH, ground);
-            draw(picture, panel, each.line, WIDTH, each.rgb);
+            draw(canvas, panel, each.line, GROUND_WIDTH, ground);
+            draw(canvas, panel, each.line, WIDTH, each.rgb);
         }
-        Graphics2D g = picture.createGraphics();
         List<Rectangle> taken = new ArrayList<>();
         for (SegmentArrow each : sorted) {
             BufferedImage name = names.of(each.id, each.rgb);
             Rectangle box = each.place(name.getWidth(), name.getHeight(), panel, sorted, taken);
             taken.add(box);
-            g.drawImage(name, box.x, box.y, null);
+            canvas.stamp(name, box.x, box.y, panel);
         }
-        g.dispose();
     }
 
     /** The arrow, moved so that it is in the panel where it is short enough. */
@@ -88,8 +83,7 @@ final class SegmentArrow {
                 int top = (int) Math.round(line.y1 + distance * Math.sin(angle) - height / 2.0);
                 Rectangle box = new Rectangle(Math.max(panel.x, Math.min(panel.x + panel.width - width, left)),
                     Math.max(panel.y, Math.min(panel.y + panel.height - height, top)), width, height);
-                if (taken.stream().noneMatch(box::intersects) && arrows.stream().noneMatch(arrow ->
-                        box.intersectsLine(arrow.line))) {
+                if (isFree(box, arrows, taken)) {
                     return box;
                 }
                 first = first == null ? box : first;
@@ -98,24 +92,37 @@ final class SegmentArrow {
         return first;
     }
 
+    private static boolean isFree(Rectangle box, List<SegmentArrow> arrows, List<Rectangle> taken) {
+        for (Rectangle other : taken) {
+            if (box.intersects(other)) {
+                return false;
+            }
+        }
+        for (SegmentArrow arrow : arrows) {
+            if (box.intersectsLine(arrow.line)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Draws an arrow from the line's first to its second point; short ones are only a line. */
-    static void draw(BufferedImage picture, Rectangle clip, Line2D.Double line, double width, int rgb) {
-        drawLine(picture, clip, line, width, rgb);
+    static void draw(Canvas canvas, Rectangle clip, Line2D.Double line, double width, int rgb) {
+        drawLine(canvas, clip, line, width, rgb);
         double length = Math.hypot(line.x2 - line.x1, line.y2 - line.y1);
         if (length >= 3) {
             double ux = (line.x2 - line.x1) / length;
             double uy = (line.y2 - line.y1) / length;
             double head = Math.min(HEAD, length);
             for (double side = -0.55; side < 1; side += 1.1) {
-                drawLine(picture, clip, new Line2D.Double(line.x2 - head * (ux + side * uy),
+                drawLine(canvas, clip, new Line2D.Double(line.x2 - head * (ux + side * uy),
                     line.y2 - head * (uy - side * ux), line.x2, line.y2), width, rgb);
             }
         }
     }
 
     /** Draws a line with round ends: every pixel as far as it lies within half the width of the line. */
-    private static void drawLine(BufferedImage picture, Rectangle clip, Line2D.Double line, double width, int rgb) {
-        int[] pixels = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();
+    private static void drawLine(Canvas canvas, Rectangle clip, Line2D.Double line, double width, int rgb) {
         double reach = width / 2 + 0.5;
         double dx = line.x2 - line.x1;
         double dy = line.y2 - line.y1;
@@ -138,17 +145,13 @@ final class SegmentArrow {
                 double besideX = fromX - along * dx;
                 double besideY = fromY - along * dy;
                 double square = besideX * besideX + besideY * besideY;
-                if (square < reach * reach) {
-                    int at = y * picture.getWidth() + x;
-                    pixels[at] = blend(pixels[at], rgb, (int) (256 * Math.min(1, reach - Math.sqrt(square))));
+                // lines are wider than a pixel, so that some lie wholly within
+                if (square <= (reach - 1) * (reach - 1)) {
+                    canvas.fill(y * canvas.width() + x, 1, rgb);
+                } else if (square < reach * reach) {
+                    canvas.blend(y * canvas.width() + x, rgb, (int) (256 * (reach - Math.sqrt(square))));
                 }
             }
         }
-    }
-
-    private static int blend(int below, int above, int share) {
-        int redBlue = (below & 0xFF00FF) * (256 - share) + (above & 0xFF00FF) * share >>> 8;
-        int green = (below & 0xFF00) * (256 - share) + (above & 0xFF00) * share >>> 8;
-        return redBlue & 0xFF00FF | green & 0xFF00;
     }
 }

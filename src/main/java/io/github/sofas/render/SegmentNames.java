@@ -22,16 +22,13 @@ final class SegmentNames {
     private static final int MOST = 256;
 
     private final int ground;
-    private final Map<Name, BufferedImage> drawn = new LinkedHashMap<>(16, 0.75f, true) {
+    /** By id, and colour in the lowest 24 bits. */
+    private final Map<Long, BufferedImage> drawn = new LinkedHashMap<>(16, 0.75f, true) {
         @Override
-        protected boolean removeEldestEntry(Map.Entry<Name, BufferedImage> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<Long, BufferedImage> eldest) {
             return size() > MOST;
         }
     };
-
-    /** A segment's id and colour. */
-    private record Name(int id, int rgb) {
-    }
 
     /** Makes names for pictures of a ground, as 0xRRGGBB. */
     SegmentNames(int ground) {
@@ -40,11 +37,17 @@ final class SegmentNames {
 
     /** The name of a segment in its colour, {@link #HEIGHT} high, without background. */
     BufferedImage of(int id, int rgb) {
-        return drawn.computeIfAbsent(new Name(id, rgb), this::draw);
+        long key = (long) id << 24 | rgb;
+        BufferedImage name = drawn.get(key);
+        if (name == null) {
+            name = draw(id, rgb);
+            drawn.put(key, name);
+        }
+        return name;
     }
 
-    private BufferedImage draw(Name name) {
-        String text = Integer.toString(name.id);
+    private BufferedImage draw(int id, int rgb) {
+        String text = Integer.toString(id);
         int width = (int) Math.ceil(FONT.getStringBounds(text, SMOOTH).getWidth());
         BufferedImage image = new BufferedImage(width + 2 * PADDING, HEIGHT, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = PictureSheet.graphics(image);
@@ -60,7 +63,7 @@ final class SegmentNames {
                 }
             }
         }
-        g.setColor(new Color(name.rgb));
+        g.setColor(new Color(rgb));
         g.drawString(text, PADDING, BASELINE);
         g.dispose();
         return image;

@@ -1,7 +1,6 @@
 package io.github.sofas.render;
 
 import org.jcodec.codecs.h264.io.model.MBType;
-import org.jcodec.common.model.Picture;
 
 /**
  * Encodes a picture in H.264 without another: each block of 16 x 16 pixels is predicted as the mean of the pixels left
@@ -16,66 +15,63 @@ final class WholeEncoder {
     private static final int COLOUR = 4;
     private static final int REST = 12;
 
-    private final int columns;
-    private final int rows;
-    private final Picture seen;
+    private final BlockPicture seen;
     private final Macroblock block;
-    /** Of the parts of blue and red. */
-    private final byte[] means = new byte[4];
 
     /**
      * Prepares for pictures of a size.
      *
      * @param seen gets the picture as the player sees it
      */
-    WholeEncoder(int columns, int rows, Picture seen) {
-        this.columns = columns;
-        this.rows = rows;
+    WholeEncoder(BlockPicture seen) {
         this.seen = seen;
-        block = new Macroblock(columns, rows, QUANTISATION, seen);
+        block = new Macroblock(new PartTransform(QUANTISATION), null, seen);
     }
 
     /** Writes a picture's blocks. */
-    void encode(Picture picture, CoefficientWriter bits) {
+    void encode(BlockPicture picture, CoefficientWriter bits) {
         block.begin();
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                boolean withRest = block.transformLumaAndMeans(predictLuma(picture, column, row));
-                int written = block.transformColour(predictColour(picture, column, row));
-                bits.writeUnsigned(MBType.I_16x16.code() + FROM_MEAN + written * COLOUR + (withRest ? REST : 0));
-                // colours are predicted from means too; no change of coarseness
-                bits.writeUnsigned(0);
-                bits.writeSigned(0);
-                block.writeLumaAndMeans(column, row, withRest, bits);
-                block.writeColour(column, row, written, bits);
+        for (int row = 0; row < picture.rows; row++) {
+            for (int column = 0; column < picture.columns; column++) {
+                encode(picture, column, row, bits);
             }
         }
     }
 
+    private void encode(BlockPicture picture, int column, int row, CoefficientWriter bits) {
+        boolean withRest = block.transformLumaAndMeans(predictLuma(picture, column, row));
+        int written = block.transformColour(predictColour(picture, column, row));
+        bits.writeUnsigned(MBType.I_16x16.code() + FROM_MEAN + written * COLOUR + (withRest ? REST : 0));
+        // colours are predicted from means too; no change of coarseness
+        bits.writeUnsigned(0);
+        bits.writeSigned(0);
+        block.writeLumaAndMeans(column, row, withRest, bits);
+        block.writeColour(column, row, written, bits);
+    }
+
     /** Subtracts what is predicted of the brightness; the parts that differ from it, as bits. */
-    private int predictLuma(Picture picture, int column, int row) {
+    private int predictLuma(BlockPicture picture, int column, int row) {
         byte mean = mean(0, column << 4, row << 4, column << 4, row << 4, 16, column > 0, row > 0);
         int differing = 0;
         for (int part = 0; part < 16; part++) {
-            differing |= subtract(picture, 0, block.place(part, 0, column, row), mean, block.luma[part]) << part;
+            differing |= subtract(picture, picture.block(column, row) + 2 * part, mean, block.luma[part]) << part;
         }
         return differing;
     }
 
     /** Subtracts what is predicted of the colours; the parts that differ from it, four bits of blue and four of red. */
-    private int predictColour(Picture picture, int column, int row) {
+    private int predictColour(BlockPicture picture, int column, int row) {
+        int at = picture.block(column, row) + 2 * BlockPicture.COLOUR_PARTS;
         int differing = 0;
         for (int k = 0; k < 2; k++) {
             for (int part = 0; part < 4; part++) {
                 // of the two beside the diagonal only the side counts that is nearer, where there is one
                 boolean fromLeft = column > 0 && (part != 1 || row == 0);
                 boolean fromAbove = row > 0 && (part != 2 || column == 0);
-                means[part] = mean(k + 1, column << 3, row << 3, (column << 3) + (part & 1) * 4,
+                byte mean = mean(k + 1, column << 3, row << 3, (column << 3) + (part & 1) * 4,
                     (row << 3) + (part >> 1) * 4, 4, fromLeft, fromAbove);
-            }
-            for (int part = 0; part < 4; part++) {
-                differing |= subtract(picture, k + 1, block.place(part, k + 1, column, row), means[part],
-                    block.colour[k][part]) << 4 * k + part;
+                int i = 4 * k + part;
+                differing |= subtract(picture, at + 2 * i, mean, block.colour[i]) << i;
             }
         }
         return differing;
@@ -83,29 +79,22 @@ final class WholeEncoder {
 
     /** Mean of the pixels left of a block and above it, beside some of its columns and rows; grey where none counts. */
     private byte mean(int plane, int blockX, int blockY, int x, int y, int side, boolean fromLeft, boolean fromAbove) {
-        byte[] pixels = seen.getPlaneData(plane);
-        int stride = columns * Macroblock.side(plane);
         int sum = 0;
         for (int i = 0; i < side; i++) {
-            sum += fromLeft ? pixels[(y + i) * stride + blockX - 1] : 0;
-            sum += fromAbove ? pixels[(blockY - 1) * stride + x + i] : 0;
+            sum += fromLeft ? seen.value(plane, blockX - 1, y + i) : 0;
+            sum += fromAbove ? seen.value(plane, x + i, blockY - 1) : 0;
         }
         int count = (fromLeft ? side : 0) + (fromAbove ? side : 0);
         return (byte) (count == 0 ? 0 : Math.floorDiv(sum + count / 2, count));
     }
 
     /** Takes the difference of a part to a value, which is seen from now on; 1 where there is any. */
-    private int subtract(Picture picture, int plane, int at, byte value, int[] part) {
-        byte[] now = picture.getPlaneData(plane);
-        byte[] player = seen.getPlaneData(plane);
-        int stride = columns * Macroblock.side(plane);
-        int any = 0;
-        for (int i = 0; i < 16; i++) {
-            int pixel = at + (i >> 2) * stride + (i & 3);
-            player[pixel] = value;
-            part[i] = now[pixel] - value;
-            any |= part[i];
-        }
-        return any == 0 ? 0 : 1;
+    private int subtract(BlockPicture picture, int at, byte value, int[] part) {
+        long predicted = BlockPicture.word(value);
+        seen.words[at] = predicted;
+        seen.words[at + 1] = predicted;
+        int greatest = PartTransform.subtract(picture.words[at], predicted, part, 0)
+            | PartTransform.subtract(picture.words[at + 1], predicted, part, 8);
+        return greatest == 0 ? 0 : 1;
     }
 }

@@ -1,5 +1,6 @@
 package io.github.sofas.render;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 
 import java.awt.image.BufferedImage;
@@ -7,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Random;
 import java.util.zip.ZipInputStream;
 import javax.imageio.ImageIO;
@@ -165,6 +167,38 @@ public class FilmTest {
         for (int i = 0; i < 48 * 32; i++) {
             assertEquals(1, last.getPlaneData(1)[i], 3);
             assertEquals(-1, last.getPlaneData(2)[i], 3);
+        }
+    }
+
+    /** Dots jump; a film that is told which blocks may differ is the one that looks for itself. */
+    @Test
+    public void mp4NeedsToBeShownOnlyWhatMayDiffer() throws IOException, JCodecException {
+        File told = folder.newFile("told.mp4");
+        File untold = folder.newFile("untold.mp4");
+        BufferedImage picture = new BufferedImage(96, 64, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(9);
+        try (Film first = new Mp4Film(told.toPath(), 25); Film second = new Mp4Film(untold.toPath(), 25)) {
+            for (int k = 0; k < 20; k++) {
+                boolean[] mayDiffer = new boolean[6 * 4];
+                Arrays.fill(mayDiffer, k == 0);
+                for (int dot = 0; dot < 10; dot++) {
+                    int x = random.nextInt(88);
+                    int y = random.nextInt(64);
+                    picture.setRGB(x, y, ~picture.getRGB(x, y));
+                    mayDiffer[y / 16 * 6 + x / 16] = true;
+                }
+                first.add(picture, mayDiffer);
+                second.add(picture);
+            }
+        }
+        FrameGrab a = FrameGrab.createFrameGrab(NIOUtils.readableChannel(told));
+        FrameGrab b = FrameGrab.createFrameGrab(NIOUtils.readableChannel(untold));
+        for (int k = 0; k < 20; k++) {
+            Picture expected = b.getNativeFrame();
+            Picture shown = a.getNativeFrame();
+            for (int plane = 0; plane < 3; plane++) {
+                assertArrayEquals("picture " + k, expected.getPlaneData(plane), shown.getPlaneData(plane));
+            }
         }
     }
 

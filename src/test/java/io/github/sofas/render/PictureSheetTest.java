@@ -1,7 +1,10 @@
 package io.github.sofas.render;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.GreyFrame;
@@ -9,6 +12,7 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Random;
 import org.junit.Test;
 
 /** Panels of 40 x 30 px at scale 4: the first begins at column 8, row 24 of the picture. */
@@ -123,6 +127,56 @@ public class PictureSheetTest {
             10_000, 0, 100, new PictureOptions.Crop(36, 0, 5, 5));
         assertEquals("crop must lie on the sensor of 40x30 but was 36,0,5,5",
             assertThrows(IllegalArgumentException.class, () -> new PictureSheet(SENSOR, options)).getMessage());
+    }
+
+    /** Events of ten pictures, each of which is also painted by a sheet that has painted none before. */
+    @Test
+    public void pictureDoesNotDependOnThoseBefore() {
+        PictureOptions options = options(Panel.FLOW, Panel.SEGMENTS);
+        PictureSheet sheet = new PictureSheet(SENSOR, options);
+        sheet.colour(1, 0);
+        sheet.colour(2, 1);
+        EventBatch all = new EventBatch(2_000);
+        FlowOutput flow = new FlowOutput(2_000);
+        Random random = new Random(5);
+        for (int i = 0; i < 2_000; i++) {
+            // two segments, 100 us an event, 200 events a picture
+            int segmentId = 1 + i / 3 % 2;
+            all.add(i * 100L, (10 + 15 * segmentId + random.nextInt(12)) % 40, random.nextInt(30), 1);
+            flow.segment[i] = segmentId;
+            flow.vxPxPerS[i] = 80 - 50 * segmentId;
+            flow.vyPxPerS[i] = i / 20.0f;
+        }
+        int[] before = null;
+        for (int k = 1; k <= 10; k++) {
+            sheet.add(all, flow, 200 * (k - 1), 200 * k);
+            int[] rgb = pixels(sheet.paint(20_000L * k, 20_000L * k, null));
+            PictureSheet fresh = new PictureSheet(SENSOR, options);
+            fresh.colour(1, 0);
+            fresh.colour(2, 1);
+            fresh.add(all, flow, 0, 200 * k);
+            assertArrayEquals("picture " + k, pixels(fresh.paint(20_000L * k, 20_000L * k, null)), rgb);
+            if (k > 1) {
+                assertChangesAreTold(rgb, before, sheet.changedBlocks());
+            }
+            before = rgb;
+        }
+    }
+
+    /** Pictures are 352 px wide: two panels of 160, three margins of 8, and 8 to whole blocks of 16. */
+    private static void assertChangesAreTold(int[] rgb, int[] before, boolean[] changed) {
+        assertEquals(rgb.length, 256 * changed.length);
+        for (int i = 0; i < rgb.length; i++) {
+            assertTrue("pixel " + i, rgb[i] == before[i] || changed[i / 352 / 16 * 22 + i % 352 / 16]);
+        }
+        // the legends, below row 24 + 120
+        for (int block = 10 * 22; block < changed.length; block++) {
+            assertFalse("block " + block, changed[block]);
+        }
+    }
+
+    private static int[] pixels(BufferedImage picture) {
+        return picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
     }
 
     @Test

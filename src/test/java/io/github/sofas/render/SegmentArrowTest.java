@@ -8,16 +8,16 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import org.junit.Test;
 
-/** A panel of 200 x 150 px in a picture with 50 px more on each side. */
+/** A panel of 200 x 150 px in a picture with at least 50 px more on each side. */
 public class SegmentArrowTest {
     private static final Rectangle PANEL = new Rectangle(50, 50, 200, 150);
     private static final int RED = 0xFF0000;
     private static final int BLUE = 0x0000FF;
 
     private static BufferedImage paint(SegmentArrow... arrows) {
-        BufferedImage picture = new BufferedImage(300, 250, BufferedImage.TYPE_INT_RGB);
-        SegmentArrow.paint(picture, PANEL, List.of(arrows), 0x000000, new SegmentNames(0x000000));
-        return picture;
+        Canvas canvas = new Canvas(304, 256);
+        SegmentArrow.paint(canvas, PANEL, List.of(arrows), 0x000000, new SegmentNames(0x000000));
+        return canvas.image();
     }
 
     private static Rectangle box(BufferedImage picture, int rgb) {
@@ -64,7 +64,7 @@ public class SegmentArrowTest {
 
     private static int count(BufferedImage picture, int rgb) {
         int count = 0;
-        for (int pixel : picture.getRGB(0, 0, 300, 250, null, 0, 300)) {
+        for (int pixel : picture.getRGB(0, 0, 304, 256, null, 0, 304)) {
             count += (pixel & 0xFFFFFF) == rgb ? 1 : 0;
         }
         return count;
