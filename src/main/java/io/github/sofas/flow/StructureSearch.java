@@ -220,9 +220,9 @@ final class StructureSearch {
             hand(pieces.events()[a], structure);
         }
         if (stack.begin(structure, plane.timeUs(last))) {
-            // those that came while it was refined, and would be a structure of their own
+            // those that came while it was refined, and would be a structure of their own, unless another has them
             for (int e = last + 1; e != plane.head(); e++) {
-                if (structure.support(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e))
+                if (!plane.isTakenOut(e) && structure.support(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e))
                         >= structure.threshold()) {
                     hand(e, structure);
                 }

@@ -24,7 +24,7 @@ final class TrackPlane {
     /**
      * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
      * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
-     * follow each other at once do not, and real pixels, which rest after each event, make them look too fast.
+     * follow each other at once do not, and those of real pixels make it look too fast.
      */
     private static final int STRETCHES = 4;
     /** Events that a structure must have had to be waited for while it is hidden. */

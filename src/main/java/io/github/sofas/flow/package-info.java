@@ -57,11 +57,12 @@
  * <li><b>Stretches of time.</b> The third that is measured is four stretches of the window, from its beginning to its
  *     end, not events here and there: within a stretch all meet, and between two much time has passed. Relative
  *     endpoint error of hexagon and large circle 0.7 % before, 0.25 % after, of four rectangles 1.1 and 0.5 %, of a
- *     circle hidden by a rectangle 3.3 and 2.0 %. Boxes before a panned camera came out 1 px/s of 27 too fast, because
- *     a pixel rests after its event, which parts those that would meet at once: half of that now. Three stretches leave
- *     a pendulum's acceleration less sure (its error 4.7 to 5.6 %), six are less right where motion is steady (0.31 %).
- *     Cutting the window in two halves and counting only meetings between them is faster and as free of that bias, but
- *     four bars lost 10 % of their velocity's accuracy, as the half in which one is hidden then shows nothing.
+ *     circle hidden by a rectangle 3.3 and 2.0 %. Boxes before a panned camera came out 1 px/s of 27 too fast, as
+ *     events less than a tenth of the window apart make them seem, maybe because real pixels rest: half of that now.
+ *     Three stretches leave a pendulum's acceleration less sure (its error 4.7 to 5.6 %), six are less right where
+ *     motion is steady (0.31 %). Cutting the window in two halves and counting only meetings between them is faster
+ *     and as free of that bias, but four bars lost a tenth of their accuracy: the half in which one is hidden shows
+ *     nothing.
  * <li><b>A look in parts.</b> Each event that is labelled earns the search for structures 150 votes, and it stops where
  *     they are spent, to go on later: no event waits for a whole look, of up to 9 ms, and the longest thousand events
  *     take 2 to 3 ms. A new track plane gets what came while its piece was refined.
