@@ -34,6 +34,11 @@ final class TrackPlane {
     private static final int LEAST_HIDDEN = 200;
     /** Events that may be hidden in a part of the box, to those that would lie there if they lay evenly. */
     private static final double MOST_HIDDEN = 1.5;
+    /** Events inside the boxes of others, to those as dense as outside, below which others hide what is missing. */
+    private static final double HIDDEN_INSIDE = 0.8;
+    /** Most others that may hide it, and events that are asked whether they lie inside their boxes. */
+    private static final int MOST_COVERS = 8;
+    private static final int ASKED_INSIDE = 256;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
     private static final double ONE_SIDED = 0.7;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
@@ -78,6 +83,8 @@ final class TrackPlane {
     private boolean hidden;
     /** Share of its box that the boxes of others cover, which may hide it. */
     private double covered;
+    private final TrackPlane[] covers = new TrackPlane[MOST_COVERS];
+    private int coverCount;
     /** An older plane that described the same structure when it was asked last, when that was, and since when. */
     private int agreesWith;
     private long agreedUs;
@@ -123,7 +130,7 @@ final class TrackPlane {
         measurements = 0;
         usualDensity = 0;
         hidden = false;
-        covered = 0;
+        uncover();
         agreesWith = 0;
         accompanied = false;
         byPlace = false;
@@ -644,6 +651,7 @@ final class TrackPlane {
     /** Forgets what may hide it. */
     void uncover() {
         covered = 0;
+        coverCount = 0;
     }
 
     /** Notes that another structure may hide it, as far as its box reaches. */
@@ -656,11 +664,47 @@ final class TrackPlane {
             - Math.max(contour.top(), other.contour.top() + dy) + 1;
         double box = (contour.right() - contour.left() + 1.0) * (contour.bottom() - contour.top() + 1.0);
         covered += Math.max(0, columns) * Math.max(0, rows) / Math.max(1, box);
+        if (coverCount < MOST_COVERS) {
+            covers[coverCount++] = other;
+        }
     }
 
     /** Whether fewer events come than usual, and others may hide as many as are missing: not where less is seen. */
     private boolean isHiddenInPart() {
-        return hasFewerThan(p.crowdedShare()) && !hasFewerThan(1 - MOST_HIDDEN * covered);
+        return hasFewerThan(p.crowdedShare()) && !hasFewerThan(1 - MOST_HIDDEN * covered) && missesWhatIsCovered();
+    }
+
+    /**
+     * Whether its events are fewer where others cover it than elsewhere. What slows down has fewer everywhere for the
+     * speed that it is thought to have: if that were held, it would stay so.
+     */
+    boolean missesWhatIsCovered() {
+        if (covered >= 1) {
+            return true;
+        }
+        int stride = Math.max(1, live.size() / ASKED_INSIDE);
+        int inside = 0;
+        int n = 0;
+        for (int k = 0; k < live.size(); k += stride, n++) {
+            int i = live.index(k);
+            inside += isCovered(live.x[i], live.y[i], live.timeUs[i]) ? 1 : 0;
+        }
+        return inside * (1 - covered) <= HIDDEN_INSIDE * (n - inside) * covered;
+    }
+
+    /** Whether an event lies inside the box of another, farther from its border than the other's own events may be. */
+    private boolean isCovered(int x, int y, long timeUs) {
+        double less = p.lifetimePx();
+        for (int c = 0; c < coverCount; c++) {
+            Contour box = covers[c].contour;
+            double column = x - covers[c].travelX(timeUs);
+            double row = y - covers[c].travelY(timeUs);
+            if (column >= box.left() + less && column <= box.right() - less
+                    && row >= box.top() + less && row <= box.bottom() - less) {
+                return true;
+            }
+        }
+        return false;
     }
 
     void setAccompanied(boolean isAccompanied) {

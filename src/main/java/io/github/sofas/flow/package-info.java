@@ -78,6 +78,9 @@
  *     segments and a relative endpoint error of 36 % before, one segment and 4 % after.
  * <li><b>Held while it is hidden.</b> Where boxes of structures overlap and a sixth of a structure's events is missing,
  *     its motion is held: what is left is pulled along by what hides it. Four bars: 0.86 before, 0.91 after.
+ *     Hidden is what has fewer events inside the others' boxes than elsewhere, 0.8 of them. What slows down has fewer
+ *     everywhere for the speed it is thought to have: of 16 runs over two rows of stripes, each without another
+ *     hundredth of the events, six held the speed for good.
  * <li><b>Turning with the path.</b> What follows a bend turns with it. Of a body whose own rotation does not show, a
  *     disc's, the rotation is that of its path: the bob of a pendulum 5.1 % of its peak speed before, 2.3 % after.
  * <li><b>Known again.</b> A new structure that lies on the remembered contour of a lost one, were that farther back, is
