@@ -346,6 +346,16 @@ final class Contour {
         return maxY - 1 - MARGIN;
     }
 
+    /** Way to the right that its centre has gone since its reference time, in px. */
+    double travelX(long nowUs) {
+        return motion.vx * (nowUs - motion.referenceUs) * 1e-6;
+    }
+
+    /** The same, downwards. */
+    double travelY(long nowUs) {
+        return motion.vy * (nowUs - motion.referenceUs) * 1e-6;
+    }
+
     /** Longer side of the box in px. */
     int extent() {
         return Math.max(maxX - minX, maxY - minY) - 2;

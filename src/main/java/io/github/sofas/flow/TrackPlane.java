@@ -34,11 +34,6 @@ final class TrackPlane {
     private static final int LEAST_HIDDEN = 200;
     /** Events that may be hidden in a part of the box, to those that would lie there if they lay evenly. */
     private static final double MOST_HIDDEN = 1.5;
-    /** Events inside the boxes of others, to those as dense as outside, below which others hide what is missing. */
-    private static final double HIDDEN_INSIDE = 0.8;
-    /** Most others that may hide it, and events that are asked whether they lie inside their boxes. */
-    private static final int MOST_COVERS = 8;
-    private static final int ASKED_INSIDE = 256;
     /** Mean polarity beyond which a structure is an edge that is dark or bright. */
     private static final double ONE_SIDED = 0.7;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
@@ -81,10 +76,8 @@ final class TrackPlane {
     /** Live events a px of the lifetime: as many at any speed. */
     private double usualDensity;
     private boolean hidden;
-    /** Share of its box that the boxes of others cover, which may hide it. */
-    private double covered;
-    private final TrackPlane[] covers = new TrackPlane[MOST_COVERS];
-    private int coverCount;
+    /** Others that may hide it. */
+    private final Covers covers = new Covers();
     /** An older plane that described the same structure when it was asked last, when that was, and since when. */
     private int agreesWith;
     private long agreedUs;
@@ -281,8 +274,8 @@ final class TrackPlane {
     }
 
     private boolean hasLeft(long nowUs, SensorSize sensor) {
-        double x = travelX(nowUs);
-        double y = travelY(nowUs);
+        double x = contour.travelX(nowUs);
+        double y = contour.travelY(nowUs);
         return contour.right() + x < 0 || contour.left() + x >= sensor.width()
             || contour.bottom() + y < 0 || contour.top() + y >= sensor.height();
     }
@@ -362,7 +355,7 @@ final class TrackPlane {
         paceDensity = Math.max(density,
             paceDensity - (paceDensity - density) * Math.min(1, travelledPx / PACE_MEMORY_PX));
         pacedUs = nowUs;
-        if (hidden || accompanied || covered > 0 || events < LEAST_HIDDEN || measurements <= LEAST_FULL
+        if (hidden || accompanied || covers.share() > 0 || events < LEAST_HIDDEN || measurements <= LEAST_FULL
                 || !isSettled(nowUs) || !isInside(nowUs, sensor)) {
             return false;
         }
@@ -387,8 +380,8 @@ final class TrackPlane {
 
     /** Whether its box is on the sensor, so that none of its events are missing. */
     private boolean isInside(long nowUs, SensorSize sensor) {
-        double x = travelX(nowUs);
-        double y = travelY(nowUs);
+        double x = contour.travelX(nowUs);
+        double y = contour.travelY(nowUs);
         return contour.left() + x >= BORDER_PX && contour.right() + x < sensor.width() - BORDER_PX
             && contour.top() + y >= BORDER_PX && contour.bottom() + y < sensor.height() - BORDER_PX;
     }
@@ -650,28 +643,18 @@ final class TrackPlane {
 
     /** Forgets what may hide it. */
     void uncover() {
-        covered = 0;
-        coverCount = 0;
+        covers.clear();
     }
 
     /** Notes that another structure may hide it, as far as its box reaches. */
     void coverBy(TrackPlane other, long nowUs) {
-        double dx = other.travelX(nowUs) - travelX(nowUs);
-        double dy = other.travelY(nowUs) - travelY(nowUs);
-        double columns = Math.min(contour.right(), other.contour.right() + dx)
-            - Math.max(contour.left(), other.contour.left() + dx) + 1;
-        double rows = Math.min(contour.bottom(), other.contour.bottom() + dy)
-            - Math.max(contour.top(), other.contour.top() + dy) + 1;
-        double box = (contour.right() - contour.left() + 1.0) * (contour.bottom() - contour.top() + 1.0);
-        covered += Math.max(0, columns) * Math.max(0, rows) / Math.max(1, box);
-        if (coverCount < MOST_COVERS) {
-            covers[coverCount++] = other;
-        }
+        covers.add(contour, other.contour, nowUs);
     }
 
     /** Whether fewer events come than usual, and others may hide as many as are missing: not where less is seen. */
     private boolean isHiddenInPart() {
-        return hasFewerThan(p.crowdedShare()) && !hasFewerThan(1 - MOST_HIDDEN * covered) && missesWhatIsCovered();
+        return hasFewerThan(p.crowdedShare()) && !hasFewerThan(1 - MOST_HIDDEN * covers.share())
+            && missesWhatIsCovered();
     }
 
     /**
@@ -679,32 +662,7 @@ final class TrackPlane {
      * speed that it is thought to have: if that were held, it would stay so.
      */
     boolean missesWhatIsCovered() {
-        if (covered >= 1) {
-            return true;
-        }
-        int stride = Math.max(1, live.size() / ASKED_INSIDE);
-        int inside = 0;
-        int n = 0;
-        for (int k = 0; k < live.size(); k += stride, n++) {
-            int i = live.index(k);
-            inside += isCovered(live.x[i], live.y[i], live.timeUs[i]) ? 1 : 0;
-        }
-        return inside * (1 - covered) <= HIDDEN_INSIDE * (n - inside) * covered;
-    }
-
-    /** Whether an event lies inside the box of another, farther from its border than the other's own events may be. */
-    private boolean isCovered(int x, int y, long timeUs) {
-        double less = p.lifetimePx();
-        for (int c = 0; c < coverCount; c++) {
-            Contour box = covers[c].contour;
-            double column = x - covers[c].travelX(timeUs);
-            double row = y - covers[c].travelY(timeUs);
-            if (column >= box.left() + less && column <= box.right() - less
-                    && row >= box.top() + less && row <= box.bottom() - less) {
-                return true;
-            }
-        }
-        return false;
+        return covers.hideSome(live, p.lifetimePx());
     }
 
     void setAccompanied(boolean isAccompanied) {
@@ -736,23 +694,14 @@ final class TrackPlane {
     }
 
     private boolean isNear(TrackPlane other, long nowUs, double gap) {
-        double ax = travelX(nowUs);
-        double ay = travelY(nowUs);
-        double bx = other.travelX(nowUs);
-        double by = other.travelY(nowUs);
+        double ax = contour.travelX(nowUs);
+        double ay = contour.travelY(nowUs);
+        double bx = other.contour.travelX(nowUs);
+        double by = other.contour.travelY(nowUs);
         return contour.left() + ax <= other.contour.right() + bx + gap
             && other.contour.left() + bx <= contour.right() + ax + gap
             && contour.top() + ay <= other.contour.bottom() + by + gap
             && other.contour.top() + by <= contour.bottom() + ay + gap;
-    }
-
-    /** Travel since the contour was projected. */
-    private double travelX(long nowUs) {
-        return contour.motion().vx * (nowUs - contour.motion().referenceUs) * 1e-6;
-    }
-
-    private double travelY(long nowUs) {
-        return contour.motion().vy * (nowUs - contour.motion().referenceUs) * 1e-6;
     }
 
     /**
