@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
 import org.jcodec.common.Codec;
 import org.jcodec.common.MuxerTrack;
 import org.jcodec.common.VideoCodecMeta;
@@ -16,6 +18,10 @@ import org.jcodec.common.model.Packet;
 import org.jcodec.common.model.Packet.FrameType;
 import org.jcodec.common.model.Size;
 import org.jcodec.containers.mp4.Brand;
+import org.jcodec.containers.mp4.boxes.Box;
+import org.jcodec.containers.mp4.boxes.Header;
+import org.jcodec.containers.mp4.boxes.MovieBox;
+import org.jcodec.containers.mp4.boxes.NodeBox;
 import org.jcodec.containers.mp4.muxer.MP4Muxer;
 
 /** An MP4 file with H.264 video (baseline), which browsers and players show without further software. */
@@ -24,6 +30,11 @@ public final class Mp4Film implements Film {
     private static final int TIMESCALE = 90_000;
     /** Sides of the video's blocks, px. */
     private static final int SIDE = 16;
+
+    /** Parts of the file's header that begin with version and flags, when it was made and when it was changed. */
+    private static final Set<String> DATED = Set.of("mvhd", "tkhd", "mdhd");
+    private static final int HEADER_BYTES = 8;
+    private static final int DATES_AT = HEADER_BYTES + 4;
 
     private final SeekableByteChannel channel;
     private final MP4Muxer muxer;
@@ -92,10 +103,30 @@ public final class Mp4Film implements Film {
         closed = true;
         try {
             if (track != null) {
-                muxer.finish();
+                MovieBox header = muxer.finalizeHeader();
+                removeDates(header);
+                muxer.storeHeader(header);
             }
         } finally {
             channel.close();
+        }
+    }
+
+    /** Sets when it was made to nothing: the same pictures are the same file. */
+    private static void removeDates(NodeBox box) {
+        List<Box> children = box.getBoxes();
+        for (int i = 0; i < children.size(); i++) {
+            Box child = children.get(i);
+            if (child instanceof NodeBox) {
+                removeDates((NodeBox) child);
+            } else if (DATED.contains(child.getFourcc())) {
+                ByteBuffer bytes = ByteBuffer.allocate(child.estimateSize());
+                child.write(bytes);
+                bytes.putLong(DATES_AT, 0);
+                bytes.flip().position(HEADER_BYTES);
+                Header header = Header.createHeader(child.getFourcc(), bytes.limit());
+                children.set(i, Box.createLeafBox(header, bytes.slice()));
+            }
         }
     }
 }

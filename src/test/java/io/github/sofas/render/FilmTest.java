@@ -8,7 +8,11 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.zip.ZipInputStream;
 import javax.imageio.ImageIO;
@@ -38,6 +42,19 @@ public class FilmTest {
             film.add(picture);
         }
         film.close();
+    }
+
+    /** The same pictures are the same bytes, whenever the film is made: no header holds the time. */
+    @Test
+    public void mp4HoldsNoDate() throws IOException {
+        Path file = folder.getRoot().toPath().resolve("undated.mp4");
+        shoot(new Mp4Film(file, 20));
+        String bytes = new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1);
+        for (String header : List.of("mvhd", "tkhd", "mdhd")) {
+            // after its name a header has version and flags, then when the film was made and when it was changed
+            int dates = bytes.indexOf(header) + 8;
+            assertEquals(header, "\0".repeat(8), bytes.substring(dates, dates + 8));
+        }
     }
 
     @Test
