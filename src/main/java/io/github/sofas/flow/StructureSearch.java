@@ -22,7 +22,7 @@ final class StructureSearch {
      * and what they leave by the search, so that a thousand events that need much of both take no longer than others.
      * By events, not by time, so that it keeps up with any rate, and results do not depend on the machine.
      */
-    private static final int VOTES_PER_EVENT = 150;
+    private static final int VOTES_PER_EVENT = 120;
     /** What is left to the search at least: many structures must not keep others from being found. */
     private static final int LEAST_PER_EVENT = 40;
     /** Most votes that are saved up, and that are owed for measurements. */
