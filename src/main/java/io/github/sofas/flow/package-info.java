@@ -63,10 +63,11 @@
  *     motion is steady (0.31 %). Cutting the window in two halves and counting only meetings between them is faster
  *     and as free of that bias, but four bars lost 10 % of their velocity's accuracy: the half in which one is hidden
  *     then shows nothing.
- * <li><b>A look in parts.</b> Each event that is labelled earns 150 votes, for the measurements of the track planes
+ * <li><b>A look in parts.</b> Each event that is labelled earns 120 votes, for the measurements of the track planes
  *     and, with what these leave, for the search, which stops where they are spent, to go on later: no event waits for
- *     a whole look, of up to 9 ms. With 150 for the search alone, the longest thousand events of real scenes took 1.7
- *     to 2.9 ms, now 1.6 to 1.7. A new track plane gets what came while its piece was refined.
+ *     a whole look, of up to 9 ms. With 150 for the search alone, the slowest 1 in 100 of a thousand events, one each
+ *     ms, took 1.6 to 3.3 ms, now 1.1 to 1.7 (sixteen objects 13 and 9 ms). A new track plane gets what came while its
+ *     piece was refined.
  * <li><b>Coarse to look, fine to measure.</b> The flow plane has 9 x 9 projections, as the paper's: 12 x 12 found
  *     nothing earlier, and labelled noise alone at 1.3 instead of 2.2 million events a second. A piece is fitted with a
  *     thousand of its events, and given up at once where it is sharper at rest than along its projection, which
