@@ -7,8 +7,7 @@ package io.github.sofas.flow;
  * <p>Ours, because sliding an edge along itself at any speed is rewarded while counts are small: a piece is a structure
  * only when it has travelled enough to be told from one that stands still, and meets itself often enough; and of
  * velocities that are about as good the slowest is taken. Most pieces are none, and are given up as early as they
- * show it: three in four looks are at what has not travelled enough yet, and is sharper at rest than along its
- * projection.
+ * show it: many have not travelled enough yet, and are sharper at rest than along their projection.
  */
 final class PieceRefinement {
     private static final int MOST_FITS = 8;

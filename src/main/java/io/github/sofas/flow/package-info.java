@@ -51,18 +51,18 @@
  * <li><b>Two grids.</b> Up to 1,900 events vote on two grids half a cell apart: on one, a thin edge in the middle of a
  *     cell has a greater metric than between two, at its true velocity too. The synthetic square (24 px, no noise)
  *     swung by 2 px/s, now by up to 1; a regular edge of an event a pixel ran away to five times its speed.
- * <li><b>A third of the live events</b> at least is measured: the direction of four rectangles, known from the ends
+ * <li><b>A quarter of the live events</b> at least is measured: the direction of four rectangles, known from the ends
  *     of their edges only, had an sd of 1.7 degrees with 2,000 of 14,000. With the acceleration along edges, of which
- *     nothing is known, left out of what shortens the lifetime, it has 0.7.
- * <li><b>Stretches of time.</b> The third that is measured is four stretches of the window, from its beginning to its
+ *     nothing is known, left out of what shortens the lifetime, it has 0.4.
+ * <li><b>Stretches of time.</b> The quarter that is measured is four stretches of the window, from its beginning to its
  *     end, not events here and there: within a stretch all meet, and between two much time has passed. Relative
- *     endpoint error of hexagon and large circle 0.7 % before, 0.25 % after, of four rectangles 1.1 and 0.5 %, of a
- *     circle hidden by a rectangle 3.3 and 2.0 %. Boxes before a panned camera came out 1 px/s of 27 too fast, as
- *     events less than a tenth of the window apart make them seem, maybe because real pixels rest: half of that now.
- *     Three stretches leave a pendulum's acceleration less sure (its error 4.7 to 5.6 %), six are less right where
- *     motion is steady (0.31 %). Cutting the window in two halves and counting only meetings between them is faster
- *     and as free of that bias, but four bars lost 10 % of their velocity's accuracy: the half in which one is hidden
- *     then shows nothing.
+ *     endpoint error of hexagon and large circle 0.7 % before, 0.25 % after with a third, 0.35 % with a quarter, of
+ *     four rectangles 1.1, 0.5 and 0.6 %, of a circle hidden by a rectangle 3.3 and 2.0 %. Boxes before a panned
+ *     camera came out 1 px/s of 27 too fast, as events less than a tenth of the window apart make them seem, maybe
+ *     because real pixels rest: half of that now. Three stretches leave a pendulum's acceleration less sure (its error
+ *     4.7 to 5.6 %), six are less right where motion is steady (0.31 %). Cutting the window in two halves and counting
+ *     only meetings between them is faster and as free of that bias, but four bars lost a tenth of their accuracy: the
+ *     half in which one is hidden then shows nothing.
  * <li><b>A look in parts.</b> Each event that is labelled earns 120 votes, for the measurements of the track planes
  *     and, with what these leave, for the search, which stops where they are spent, to go on later: no event waits for
  *     a whole look, of up to 9 ms. With 150 for the search alone, the slowest 1 in 100 of a thousand events, one each
