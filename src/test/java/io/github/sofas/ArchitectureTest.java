@@ -8,6 +8,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static org.junit.Assert.assertEquals;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
@@ -40,6 +41,17 @@ public class ArchitectureTest {
         Map.entry("cli", Set.of("event", "flow", "recording", "live", "host", "export", "render", "report",
             "baseline", "simulate", "evaluate", "experiments", "benchmark")));
 
+    /** For each room of flow the rooms that it may see besides itself. */
+    private static final Map<String, Set<String>> ROOMS = Map.of(
+        "motion", Set.of(),
+        "fit", Set.of("motion"),
+        "search", Set.of("motion", "fit"),
+        "track", Set.of("motion", "fit"),
+        "paper", Set.of("motion"));
+
+    /** What the rooms see of flow itself: the words of the API, not what wires the rooms. */
+    private static final Set<String> WORDS = Set.of("SofasParameters", "Parameter", "Segment", "PixelConsumer");
+
     private static final JavaClasses MAIN = new ClassFileImporter()
         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
         .importPackages(ROOT);
@@ -56,6 +68,44 @@ public class ArchitectureTest {
                 .because(name + " may see " + new TreeSet<>(seen))
                 .check(MAIN);
         });
+    }
+
+    @Test
+    public void everyRoomOfFlowSeesOnlyWhatItsArrowsAllow() {
+        DescribedPredicate<JavaClass> words = DescribedPredicate.describe("the words of the API",
+            type -> type.getPackageName().equals(ROOT + ".flow")
+                && WORDS.contains(type.getName().substring((ROOT + ".flow.").length()).split("\\$")[0]));
+        ROOMS.forEach((name, seen) -> {
+            String[] allowed = new TreeSet<>(seen).stream().map(room -> packages("flow." + room))
+                .toArray(String[]::new);
+            noClasses().that().resideInAPackage(packages("flow." + name))
+                .should().dependOnClassesThat(resideInAPackage(packages("flow"))
+                    .and(not(resideInAPackage(packages("flow." + name))))
+                    .and(not(resideInAnyPackage(allowed)))
+                    .and(not(words)))
+                .because("flow." + name + " may see " + new TreeSet<>(seen) + " and " + new TreeSet<>(WORDS))
+                .check(MAIN);
+        });
+    }
+
+    @Test
+    public void everyRoomOfFlowHasItsArrows() {
+        Set<String> rooms = new TreeSet<>();
+        for (JavaClass type : MAIN) {
+            if (type.getPackageName().startsWith(ROOT + ".flow.")) {
+                rooms.add(type.getPackageName().substring((ROOT + ".flow.").length()));
+            }
+        }
+        assertEquals(new TreeSet<>(ROOMS.keySet()), rooms);
+    }
+
+    @Test
+    public void roomsOfFlowAreSeenFromFlowOnly() {
+        noClasses().that().resideOutsideOfPackage(packages("flow"))
+            .should().dependOnClassesThat(resideInAPackage(packages("flow"))
+                .and(not(resideInAPackage(ROOT + ".flow"))))
+            .because("what is public there is public for the other rooms only, and no part of the API")
+            .check(MAIN);
     }
 
     @Test

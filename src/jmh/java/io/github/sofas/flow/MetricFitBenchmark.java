@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.fit.MetricFit;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

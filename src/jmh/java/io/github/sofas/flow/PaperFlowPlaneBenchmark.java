@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.paper.FlowPlane;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -23,13 +24,13 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(1)
 public class PaperFlowPlaneBenchmark {
     private FilmedEvents events;
-    private PaperFlowPlane plane;
+    private FlowPlane plane;
 
     /** Films noise. */
     @Setup
     public void film() throws Exception {
         events = new FilmedEvents("noise");
-        plane = new PaperFlowPlane(events.sensor.width(), events.sensor.height(), SofasParameters.paper());
+        plane = new FlowPlane(events.sensor.width(), events.sensor.height(), SofasParameters.paper());
     }
 
     /** Adds one batch. */

@@ -27,6 +27,13 @@ public final class FlowOutput {
         segment = new int[capacity];
     }
 
+    /** Sets entry i. */
+    void set(int i, int id, float vx, float vy) {
+        segment[i] = id;
+        vxPxPerS[i] = vx;
+        vyPxPerS[i] = vy;
+    }
+
     /** The largest batch that can be labelled. */
     public int capacity() {
         return segment.length;

@@ -5,17 +5,11 @@ import java.util.List;
 /** One way of labelling events: as published, or refined. Called with events on the sensor whose time never falls. */
 interface Method {
     /**
-     * Takes an event.
+     * Labels an event.
      *
-     * @return id of its segment, or 0 where it has no flow
+     * @param output takes flow and segment as its entry i
      */
-    int label(int x, int y, long timeUs, int polarity);
-
-    /** Velocity of the event labelled last, in px/s; only after an id above 0. */
-    float vxPxPerS();
-
-    /** Velocity of the event labelled last, in px/s, positive down. */
-    float vyPxPerS();
+    void label(int x, int y, long timeUs, int polarity, FlowOutput output, int i);
 
     /** Labels from now on with other parameters of the same preset. */
     void setParameters(SofasParameters parameters);

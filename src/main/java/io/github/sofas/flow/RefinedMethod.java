@@ -1,10 +1,20 @@
 package io.github.sofas.flow;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.search.BusyPixels;
+import io.github.sofas.flow.search.FlowPlane;
+import io.github.sofas.flow.search.LoneEvents;
+import io.github.sofas.flow.search.StructureSearch;
+import io.github.sofas.flow.track.TrackPlane;
+import io.github.sofas.flow.track.TrackPlaneStack;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** The method of the {@code default} preset: the paper's nouns, made accurate and fast. */
+/**
+ * The method of the {@code default} preset: the paper's nouns, made accurate and fast. An event goes to the track plane
+ * that expects it, else to the flow plane; what the search finds there becomes a track plane.
+ */
 final class RefinedMethod implements Method {
     /** Most events that vote on two grids, at twice the cost: of a track plane, less than a thinned sample has. */
     private static final int TRACKED_ON_BOTH = 1900;
@@ -18,8 +28,6 @@ final class RefinedMethod implements Method {
     private BusyPixels busy;
     private FlowPlane flowPlane;
     private StructureSearch search;
-    private float vxPxPerS;
-    private float vyPxPerS;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
         this.sensor = sensor;
@@ -27,42 +35,42 @@ final class RefinedMethod implements Method {
         lone = new LoneEvents(sensor.width(), sensor.height(), p.slowestPxPerS());
         busy = new BusyPixels(sensor.width(), sensor.height(), p);
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
-        search = new StructureSearch(flowPlane, p, newFit(p, SEARCHED_ON_BOTH));
         stack = new TrackPlaneStack(sensor, p, newFit(p, TRACKED_ON_BOTH), ended);
+        search = newSearch(p);
+    }
+
+    private StructureSearch newSearch(SofasParameters p) {
+        return new StructureSearch(flowPlane, p, newFit(p, SEARCHED_ON_BOTH), new StackedStructures(stack));
     }
 
     private MetricFit newFit(SofasParameters p, int mostOnBoth) {
-        return new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), LiveEvents.CAPACITY, mostOnBoth);
+        return new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), TrackPlaneStack.MOST_MEASURED,
+            mostOnBoth);
+    }
+
+    static long mostBytes(SensorSize sensor, SofasParameters p) {
+        long fit = MetricFit.bytes(sensor.width(), sensor.height(), p.voteCellPx(), TrackPlaneStack.MOST_MEASURED);
+        return LoneEvents.bytes(sensor) + BusyPixels.bytes(sensor) + StructureSearch.mostBytes(sensor, p)
+            + TrackPlaneStack.mostBytes(sensor, p) + 2 * fit;
     }
 
     @Override
-    public int label(int x, int y, long timeUs, int polarity) {
+    public void label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         stack.check(timeUs);
         TrackPlane plane = stack.match(x, y, timeUs, polarity);
-        int id = 0;
         if (plane != null) {
-            id = plane.id();
-            vxPxPerS = plane.motion().vxAt(y, timeUs);
-            vyPxPerS = plane.motion().vyAt(x, timeUs);
+            output.set(i, plane.id(), plane.motion().vxAt(y, timeUs), plane.motion().vyAt(x, timeUs));
             stack.take(plane, x, y, timeUs, polarity);
-        } else if (!lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
-            flowPlane.add(x, y, timeUs, polarity);
+        } else {
+            output.set(i, 0, 0, 0);
+            if (!lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
+                flowPlane.add(x, y, timeUs, polarity);
+            }
         }
         if (flowPlane.isToSettle(timeUs)) {
             flowPlane.settle(timeUs);
         }
-        search.run(stack);
-        return id;
-    }
-
-    @Override
-    public float vxPxPerS() {
-        return vxPxPerS;
-    }
-
-    @Override
-    public float vyPxPerS() {
-        return vyPxPerS;
+        search.run(stack.newVotes());
     }
 
     @Override
@@ -77,7 +85,7 @@ final class RefinedMethod implements Method {
         }
         boolean measuresElsewise = next.voteCellPx() != p.voteCellPx();
         if (looksElsewhere || measuresElsewise) {
-            search = new StructureSearch(flowPlane, next, newFit(next, SEARCHED_ON_BOTH));
+            search = newSearch(next);
         } else {
             search.setParameters(next);
         }
@@ -95,7 +103,7 @@ final class RefinedMethod implements Method {
 
     @Override
     public MetricArray metricArray() {
-        return flowPlane.metricArray();
+        return new MetricArray(SofasParameters.Preset.DEFAULT, p.flowProjections(), flowPlane.metricsPerEvent());
     }
 
     @Override

@@ -25,6 +25,9 @@ import java.util.function.Consumer;
  * outputs are the caller's: no two threads may use one at once.
  */
 public final class Sofas implements EventLabeller {
+    /** Objects, headers of arrays, arrays by projection and by block: all that does not grow with the events. */
+    private static final long FIXED_BYTES = 1 << 20;
+
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
     /** What the next batch is to be labelled with; any thread may write it. */
@@ -77,7 +80,8 @@ public final class Sofas implements EventLabeller {
      * travel, and 24 for each of the 65,536 events that its arrays have room for.
      */
     public static long mostBytes(SensorSize sensor, SofasParameters parameters) {
-        return MemoryBound.bytes(sensor, parameters);
+        return FIXED_BYTES + (parameters.preset() == SofasParameters.Preset.PAPER
+            ? PaperMethod.mostBytes(sensor, parameters) : RefinedMethod.mostBytes(sensor, parameters));
     }
 
     /** The sensor that the engine was made for. */
@@ -134,7 +138,6 @@ public final class Sofas implements EventLabeller {
         for (int i = 0; i < n; i++) {
             int x = batch.x[i];
             int y = batch.y[i];
-            int segment = 0;
             if (sensor.contains(x, y)) {
                 long timeUs = batch.timeUs[i];
                 if (timeUs < newestUs) {
@@ -142,13 +145,11 @@ public final class Sofas implements EventLabeller {
                     backwards++;
                 }
                 newestUs = timeUs;
-                segment = method.label(x, y, timeUs, batch.polarity[i] > 0 ? 1 : -1);
+                method.label(x, y, timeUs, batch.polarity[i] > 0 ? 1 : -1, output, i);
             } else {
                 outside++;
+                output.set(i, 0, 0, 0);
             }
-            output.segment[i] = segment;
-            output.vxPxPerS[i] = segment == 0 ? 0 : method.vxPxPerS();
-            output.vyPxPerS[i] = segment == 0 ? 0 : method.vyPxPerS();
         }
     }
 

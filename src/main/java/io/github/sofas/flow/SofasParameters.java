@@ -333,16 +333,6 @@ public record SofasParameters(
             1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 2);
     }
 
-    /** Velocity of a projection at an angle, in px/s. */
-    double velocityAt(double angleDeg) {
-        return velocityScalePxPerS * StrictMath.tan(Math.toRadians(angleDeg));
-    }
-
-    /** Angle of the i-th of n projections over a range, so that none lies at 90 degrees, in degrees. */
-    static double angleAt(int i, int n, double rangeDeg) {
-        return (i - (n - 1) / 2.0) * rangeDeg / n;
-    }
-
     /** The same with another {@link #flowProjections}. */
     public SofasParameters withFlowProjections(int value) {
         return with("flowProjections", value);

@@ -11,14 +11,20 @@
  *               n x n projections, accumulators, metrics
  * </pre>
  *
+ * <p><b>Rooms.</b> This package holds what callers use, and the two methods that wire the rooms: {@code flow.motion}
+ * (how things move), {@code flow.fit} (the motion under which events are sharpest), {@code flow.search} (new
+ * structures), {@code flow.track} (structures that are tracked), {@code flow.paper} (the published method). The rooms
+ * are no part of the API: they may change with any version, and nothing outside of {@code flow} uses them.
+ *
  * <p><b>Terms.</b> An event is projected along a velocity to where it would have been at a reference time
- * ({@link io.github.sofas.flow.Projection}). An accumulator sums the events, ON +1 and OFF -1, on each cell of a
+ * ({@link io.github.sofas.flow.motion.Projection}). An accumulator sums the events, ON +1 and OFF -1, on each cell of a
  * projection; the metric is the sum of its squares. Under the true velocity the events of an edge fall on each other,
  * and the metric is greatest. Adding w to a cell raises it by 2 w f + w², so that it is kept event by event.
  *
- * <p><b>Two methods</b> stand side by side. {@code Paper...} is the method as published, the preset {@code paper}: flow
- * plane, refinement, track planes with hits, a stack asked in turn. The others are the preset {@code default}: the same
- * nouns, with these differences, each a parameter of {@link io.github.sofas.flow.SofasParameters} or told where it is.
+ * <p><b>Two methods</b> stand side by side. {@code flow.paper} is the method as published, the preset {@code paper}:
+ * flow plane, refinement, track planes with hits, a stack asked in turn. The others are the preset {@code default}:
+ * the same nouns, with these differences, each a parameter of {@link io.github.sofas.flow.SofasParameters} or told
+ * where it is.
  *
  * <ul>
  * <li><b>Lifespan by travel.</b> Each projection of the flow plane holds the events of the time in which its own

@@ -23,9 +23,9 @@ public class StageTest {
 
     @Test
     public void whatServesSeveralStagesCountsForItsCaller() {
-        assertEquals(Stage.RE_CENTRING, of("flow.MetricFit.metric", "flow.TrackPlane.measure",
-            "flow.TrackPlane.recentre", "flow.TrackPlaneStack.take", "flow.RefinedMethod.label"));
-        assertEquals(Stage.FLOW_PLANE, of("flow.MetricFit.metric", "flow.StructureSearch.climb",
+        assertEquals(Stage.RE_CENTRING, of("flow.fit.MetricFit.metric", "flow.track.TrackPlane.measure",
+            "flow.track.TrackPlane.recentre", "flow.track.TrackPlaneStack.take", "flow.RefinedMethod.label"));
+        assertEquals(Stage.FLOW_PLANE, of("flow.fit.MetricFit.metric", "flow.search.StructureSearch.refine",
             "flow.RefinedMethod.label"));
         assertEquals(Stage.OUTPUT, of("java.io.FileOutputStream.write", "export.FlowCsvWriter.write",
             "benchmark.Benchmark.run"));
@@ -33,14 +33,15 @@ public class StageTest {
 
     @Test
     public void aTrackPlaneThatTheFlowPlaneStartsIsTheFlowPlanesWork() {
-        assertEquals(Stage.FLOW_PLANE, of("flow.TrackPlane.recentre", "flow.TrackPlaneStack.found",
-            "flow.StructureSearch.run", "flow.RefinedMethod.label"));
+        assertEquals(Stage.FLOW_PLANE, of("flow.track.TrackPlane.recentre", "flow.track.TrackPlaneStack.begin",
+            "flow.search.StructureSearch.run", "flow.RefinedMethod.label"));
     }
 
     @Test
     public void whatATrackPlaneDoesWithoutMeasuringIsMatching() {
-        assertEquals(Stage.MATCHING, of("flow.Contour.support", "flow.TrackPlaneStack.match", "flow.Sofas.process"));
-        assertEquals(Stage.MATCHING, of("flow.PaperTrackPlane.offer", "flow.PaperMethod.label"));
+        assertEquals(Stage.MATCHING, of("flow.track.Contour.support", "flow.track.TrackPlaneStack.match",
+            "flow.Sofas.process"));
+        assertEquals(Stage.MATCHING, of("flow.paper.TrackPlane.offer", "flow.PaperMethod.label"));
         assertEquals(Stage.MATCHING, of("flow.Sofas.process", "benchmark.Benchmark.run"));
     }
 
@@ -56,11 +57,11 @@ public class StageTest {
         JavaClasses engine = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
             .importPackages("io.github.sofas.flow");
-        for (String name : new String[] {"FlowPlane", "PaperFlowPlane", "LoneEvents", "StructureSearch", "TrackPlane",
-            "PaperTrackPlane"}) {
+        for (String name : new String[] {"search.FlowPlane", "paper.FlowPlane", "search.LoneEvents",
+            "search.StructureSearch", "track.TrackPlane", "paper.TrackPlane"}) {
             assertTrue(name, engine.contain("io.github.sofas.flow." + name));
         }
-        for (String name : new String[] {"TrackPlane", "PaperTrackPlane"}) {
+        for (String name : new String[] {"track.TrackPlane", "paper.TrackPlane"}) {
             assertTrue(name, engine.get("io.github.sofas.flow." + name).getMethods().stream()
                 .anyMatch(method -> method.getName().equals("recentre")));
         }

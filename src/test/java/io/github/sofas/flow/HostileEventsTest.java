@@ -51,32 +51,6 @@ public class HostileEventsTest {
     }
 
     @Test
-    public void noCellOfTheFlowPlaneWrapsRoundHoweverOftenPixelsFire() {
-        BusyPixels busy = new BusyPixels(64, 48, SofasParameters.defaults());
-        FlowPlane plane = new FlowPlane(64, 48, SofasParameters.defaults());
-        for (int i = 0; i < 400_000; i++) {
-            // an eight by eight block of hot pixels, five million events a second
-            int x = 20 + (i & 7);
-            int y = 20 + (i >> 3 & 7);
-            long timeUs = i / 5;
-            if (!busy.isBusy(x, y, timeUs)) {
-                plane.add(x, y, timeUs, 1);
-            }
-            if (i % 256 == 255) {
-                plane.settle(timeUs);
-            }
-        }
-        for (int k = 0; k < plane.n() * plane.n(); k++) {
-            long squares = 0;
-            for (short f : plane.accumulator(k)) {
-                assertTrue("cell of projection " + k, f >= 0);
-                squares += (long) f * f;
-            }
-            assertEquals("metric of projection " + k, squares, plane.metric(k));
-        }
-    }
-
-    @Test
     public void tenThousandStructuresLeaveTheEngineSound() {
         SensorSize sensor = new SensorSize(400, 400);
         EventBatch stream = HostileStreams.structures(sensor, 60_000);

@@ -5,21 +5,21 @@ import java.util.List;
 import java.util.Map;
 
 /** Projection onto a plane without borders, straight from the paper's definitions, for tests to compare with. */
-final class PlainPlane {
+public final class PlainPlane {
     private PlainPlane() {
     }
 
     /** An event on the sensor. */
-    record Event(int x, int y, long timeUs, int polarity) {
+    public record Event(int x, int y, long timeUs, int polarity) {
     }
 
     /** A cell of a projected plane. */
-    record Cell(long x, long y) {
+    public record Cell(long x, long y) {
     }
 
     /** A projection: (u - vx (t - t0), v - vy (t - t0)), to the nearest cell. */
-    record Plane(double vxPxPerS, double vyPxPerS, long referenceUs) {
-        Cell cellOf(Event e) {
+    public record Plane(double vxPxPerS, double vyPxPerS, long referenceUs) {
+        public Cell cellOf(Event e) {
             long dt = e.timeUs - referenceUs;
             return new Cell(e.x - shift(vxPxPerS, dt), e.y - shift(vyPxPerS, dt));
         }
@@ -32,7 +32,7 @@ final class PlainPlane {
     }
 
     /** f(x, y): the sum of the signs of the events that fall on each cell. */
-    static Map<Cell, Integer> accumulate(List<Event> events, Plane plane) {
+    public static Map<Cell, Integer> accumulate(List<Event> events, Plane plane) {
         Map<Cell, Integer> f = new HashMap<>();
         for (Event e : events) {
             f.merge(plane.cellOf(e), e.polarity, Integer::sum);
@@ -41,7 +41,7 @@ final class PlainPlane {
     }
 
     /** m = sum of f squared. */
-    static long metric(List<Event> events, Plane plane) {
+    public static long metric(List<Event> events, Plane plane) {
         long m = 0;
         for (int f : accumulate(events, plane).values()) {
             m += (long) f * f;
@@ -50,16 +50,16 @@ final class PlainPlane {
     }
 
     /** The angle of projection i of n over a range around a centre, in degrees. */
-    static double angle(double centreDeg, int i, int n, double rangeDeg) {
+    public static double angle(double centreDeg, int i, int n, double rangeDeg) {
         return limited(centreDeg + (i - (n - 1) / 2.0) * rangeDeg / n);
     }
 
     /** An angle short of the right one, where velocity is infinite. */
-    static double limited(double angleDeg) {
+    public static double limited(double angleDeg) {
         return Math.max(-89, Math.min(89, angleDeg));
     }
 
-    static double velocity(SofasParameters p, double angleDeg) {
+    public static double velocity(SofasParameters p, double angleDeg) {
         return p.velocityScalePxPerS() * Math.tan(Math.toRadians(angleDeg));
     }
 }

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Random;
 
 /** Events for tests of the method: drawn by hand, filmed, or by chance with a fixed seed. */
-final class Streams {
+public final class Streams {
     private Streams() {
     }
 
@@ -21,7 +21,7 @@ final class Streams {
      * @param first column that it enters at startUs
      * @param columnUs time that it needs for a column, negative where it moves left
      */
-    static List<Event> edge(int first, int columns, int rows, long startUs, long columnUs) {
+    public static List<Event> edge(int first, int columns, int rows, long startUs, long columnUs) {
         List<Event> events = new ArrayList<>();
         for (int c = 0; c < columns; c++) {
             for (int y = 0; y < rows; y++) {
@@ -33,7 +33,7 @@ final class Streams {
     }
 
     /** The first events of a scene on a small sensor. */
-    static List<Event> filmed(Scene scene, SensorSize sensor, double scale, double directionDeg, int most) {
+    public static List<Event> filmed(Scene scene, SensorSize sensor, double scale, double directionDeg, int most) {
         SimulatedRecording film = SimulatedRecording.of(scene, SimulationOptions.defaults().withSensor(sensor)
             .withScale(scale).withDirectionDeg(directionDeg));
         List<Event> events = new ArrayList<>();
@@ -44,7 +44,7 @@ final class Streams {
     }
 
     /** The same events at other times. */
-    static List<Event> later(List<Event> events, long us) {
+    public static List<Event> later(List<Event> events, long us) {
         List<Event> moved = new ArrayList<>();
         for (Event e : events) {
             moved.add(new Event(e.x(), e.y(), e.timeUs() + us, e.polarity()));
@@ -56,7 +56,7 @@ final class Streams {
      * Dots that wander over the sensor among noise: some events at one time, some after a gap, one gap in five hundred
      * of many seconds.
      */
-    static List<Event> chance(long seed, SensorSize sensor, int count, long startUs, int meanGapUs) {
+    public static List<Event> chance(long seed, SensorSize sensor, int count, long startUs, int meanGapUs) {
         Random random = new Random(seed);
         List<Event> events = new ArrayList<>();
         double[] x = new double[6];
@@ -92,7 +92,7 @@ final class Streams {
     }
 
     /** All events in one batch. */
-    static EventBatch batch(List<Event> events) {
+    public static EventBatch batch(List<Event> events) {
         EventBatch batch = new EventBatch(Math.max(1, events.size()));
         for (Event e : events) {
             batch.add(e.timeUs(), e.x(), e.y(), e.polarity());

@@ -1,0 +1,354 @@
+package io.github.sofas.flow.fit;
+
+/**
+ * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
+ * projections around a motion, a quadratic through the nine values, and one step to its top.
+ */
+public final class MetricFit {
+    /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
+    private static final double CHANGE_SIGMAS = 0.5;
+    private static final int EVENT_BYTES = 12 * Integer.BYTES + Byte.BYTES;
+
+    /** Events, projected along the motion to be improved. */
+    private final VoteGrid grid;
+    // of each event: time from the reference in s, and place from the centre of rotation in px
+    private final float[] tau;
+    private final float[] fromX;
+    private final float[] fromY;
+    /** Shifts a unit of the parameters that are being fitted. */
+    private final float[] along;
+    private final ShiftProfile time;
+    /** For an acceleration in any direction, and whether it is that of the events that were fitted last. */
+    private final ShiftProfile square;
+    private boolean squared;
+    private final ShiftProfile alongX;
+    private final ShiftProfile alongY;
+    private final double[] m = new double[9];
+
+    // frame of the projections: direction of the first axis, distances along both in px/s
+    private double frameX = 1;
+    private double frameY;
+    private double h1;
+    private double h2;
+
+    // what the last fit found
+    private double metric;
+    private double lossXx;
+    private double lossXy;
+    private double lossYy;
+    private double axisX;
+    private double axisY;
+    private double stepX;
+    private double stepY;
+    private double steps;
+    private boolean flat;
+    private double step;
+    private double loss;
+
+    /** Makes a fit for up to a number of events, of which so many vote on two grids. */
+    public MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
+        grid = new VoteGrid(sensorWidth, sensorHeight, cellPx, capacity, mostOnBoth);
+        tau = new float[capacity];
+        fromX = new float[capacity];
+        fromY = new float[capacity];
+        along = new float[capacity];
+        time = new ShiftProfile(capacity);
+        square = new ShiftProfile(capacity);
+        alongX = new ShiftProfile(capacity);
+        alongY = new ShiftProfile(capacity);
+    }
+
+    /** Bytes of the arrays of a fit for up to a number of events, all of which vote on two grids. */
+    public static long bytes(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
+        return Integer.BYTES * VoteGrid.cells(sensorWidth, sensorHeight, cellPx) + (long) capacity * EVENT_BYTES;
+    }
+
+    /** The most events that fit. */
+    public int capacity() {
+        return grid.capacity();
+    }
+
+    /** How many events are fitted. */
+    public int size() {
+        return grid.size();
+    }
+
+    /** Votes given since the start, a measure of work. */
+    public long votes() {
+        return grid.votes();
+    }
+
+    /** Forgets all events. */
+    public void clear() {
+        grid.clear();
+    }
+
+    /**
+     * Adds an event.
+     *
+     * @param x projected column in px
+     * @param y projected row in px
+     * @param tauS time from the reference in s
+     * @param rx column from the centre of rotation in px
+     * @param ry row from the centre of rotation in px
+     */
+    public void add(float x, float y, float tauS, float rx, float ry, int polarity) {
+        int i = grid.size();
+        grid.add(x, y, polarity);
+        tau[i] = tauS;
+        fromX[i] = rx;
+        fromY[i] = ry;
+    }
+
+    /** Metric of the events moved back by velocity (vx, vy). */
+    private double metricAt(double vx, double vy) {
+        return grid.metric(time, vx, time, vy);
+    }
+
+    /** Whether the events meet more often where they are than moved back by velocity (vx, vy). */
+    public boolean isSharperAtRest(double vx, double vy) {
+        prepare();
+        return metricAt(0, 0) > metricAt(vx, vy);
+    }
+
+    private void prepare() {
+        grid.lay();
+        time.take(tau, grid.size());
+        squared = false;
+    }
+
+    /** Sets an upright frame with equal distances. */
+    public void frame(double h) {
+        frameX = 1;
+        frameY = 0;
+        h1 = h;
+        h2 = h;
+    }
+
+    /**
+     * Turns the frame to the axes of what is known, and spaces the projections so that each neighbour loses about the
+     * same share of the metric: an edge is sharp across and flat along.
+     */
+    public void frame(double ofMetric, double xx, double xy, double yy, double share, double least, double most) {
+        double mean = (xx + yy) / 2;
+        double dif = (xx - yy) / 2;
+        double root = Math.sqrt(dif * dif + xy * xy);
+        double angle = 0.5 * StrictMath.atan2(2 * xy, xx - yy);
+        frameX = StrictMath.cos(angle);
+        frameY = StrictMath.sin(angle);
+        h1 = spacing(ofMetric * share, mean + root, least, most);
+        h2 = spacing(ofMetric * share, mean - root, least, most);
+    }
+
+    private static double spacing(double loss, double curvature, double least, double most) {
+        return curvature * most * most <= loss ? most : Math.max(least, Math.sqrt(loss / curvature));
+    }
+
+    /** Spreads the frame after a step that left it. */
+    public void widen(double factor) {
+        h1 *= factor;
+        h2 *= factor;
+    }
+
+    /**
+     * Fits the velocity around (vx0, vy0), which is added to the motion that the events were projected along.
+     *
+     * @param sigmas a direction takes no step that loses less metric at its neighbours than this many standard
+     *     deviations of the metric, which counts about as many meetings
+     */
+    public void fit(double vx0, double vy0, double sigmas) {
+        prepare();
+        metric = 0;
+        for (int j = 0; j < 3; j++) {
+            for (int i = 0; i < 3; i++) {
+                double a = (i - 1) * h1;
+                double b = (j - 1) * h2;
+                double v = metricAt(vx0 + a * frameX - b * frameY, vy0 + a * frameY + b * frameX);
+                m[j * 3 + i] = v;
+                metric = Math.max(metric, v);
+            }
+        }
+        double ga = (m[2] + m[5] + m[8] - m[0] - m[3] - m[6]) / 6;
+        double gb = (m[6] + m[7] + m[8] - m[0] - m[1] - m[2]) / 6;
+        double haa = (m[0] + m[2] + m[3] + m[5] + m[6] + m[8] - 2 * (m[1] + m[4] + m[7])) / 3;
+        double hbb = (m[0] + m[1] + m[2] + m[6] + m[7] + m[8] - 2 * (m[3] + m[4] + m[5])) / 3;
+        double hab = (m[0] + m[8] - m[2] - m[6]) / 4;
+        solve(ga, gb, haa, hbb, hab, sigmas);
+    }
+
+    /**
+     * The same from the centre and its four nearest neighbours, in half the time: in a frame along the
+     * axes of what is known, the corners tell how it has turned, and little else.
+     */
+    public void fitCross(double vx0, double vy0, double sigmas) {
+        prepare();
+        double here = metricAt(vx0, vy0);
+        double less1 = metricAt(vx0 - h1 * frameX, vy0 - h1 * frameY);
+        double more1 = metricAt(vx0 + h1 * frameX, vy0 + h1 * frameY);
+        double less2 = metricAt(vx0 + h2 * frameY, vy0 - h2 * frameX);
+        double more2 = metricAt(vx0 - h2 * frameY, vy0 + h2 * frameX);
+        m[4] = here;
+        metric = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
+        solve((more1 - less1) / 2, (more2 - less2) / 2, less1 + more1 - 2 * here, less2 + more2 - 2 * here, 0, sigmas);
+    }
+
+    /** Step and knowledge from the gradient and the Hessian in units of the frame. */
+    private void solve(double ga, double gb, double haa, double hbb, double hab, double sigmas) {
+        // eigenvectors of the Hessian in the frame; a step along each that is curved enough
+        double mean = (haa + hbb) / 2;
+        double dif = (haa - hbb) / 2;
+        double root = Math.sqrt(dif * dif + hab * hab);
+        double angle = 0.5 * StrictMath.atan2(-2 * hab, hbb - haa);
+        double ca = StrictMath.cos(angle);
+        double sa = StrictMath.sin(angle);
+        double floor = floor(metric, sigmas);
+        double s1 = stepTo(mean - root, ga * ca + gb * sa, floor);
+        double s2 = stepTo(mean + root, gb * ca - ga * sa, floor);
+        double a = (s1 * ca - s2 * sa) * h1;
+        double b = (s1 * sa + s2 * ca) * h2;
+        steps = Math.sqrt(s1 * s1 + s2 * s2);
+        // the direction that is known less took no step, and had no slope to take one
+        flat = s2 == 0;
+        stepX = a * frameX - b * frameY;
+        stepY = a * frameY + b * frameX;
+        // only curvature that falls away is knowledge
+        double c1 = -Math.min(mean - root, 0) / 2;
+        double c2 = -Math.min(mean + root, 0) / 2;
+        double laa = (c1 * ca * ca + c2 * sa * sa) / (h1 * h1);
+        double lbb = (c1 * sa * sa + c2 * ca * ca) / (h2 * h2);
+        double lab = (c1 - c2) * sa * ca / (h1 * h2);
+        lossXx = laa * frameX * frameX - 2 * lab * frameX * frameY + lbb * frameY * frameY;
+        lossYy = laa * frameY * frameY + 2 * lab * frameX * frameY + lbb * frameX * frameX;
+        lossXy = (laa - lbb) * frameX * frameY + lab * (frameX * frameX - frameY * frameY);
+        double best = 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
+        axisX = StrictMath.cos(best);
+        axisY = StrictMath.sin(best);
+    }
+
+    /** Greatest of the metrics fitted, in votes squared; 0 where all are less. */
+    public double metric() {
+        return metric;
+    }
+
+    /** Loss of metric per (px/s)², an entry of a symmetric matrix: what is known of the velocity. */
+    public double lossXx() {
+        return lossXx;
+    }
+
+    /** The same, of both axes. */
+    public double lossXy() {
+        return lossXy;
+    }
+
+    /** The same, along y. */
+    public double lossYy() {
+        return lossYy;
+    }
+
+    /** Step to the top in px/s. */
+    public double stepX() {
+        return stepX;
+    }
+
+    /** The same, downwards. */
+    public double stepY() {
+        return stepY;
+    }
+
+    /** Length of the step in distances of projections. */
+    public double steps() {
+        return steps;
+    }
+
+    /** Whether the metric does not tell the velocity across the best known direction. */
+    public boolean isFlat() {
+        return flat;
+    }
+
+    /** Step along the one parameter fitted last, in its unit. */
+    double step() {
+        return step;
+    }
+
+    /** Loss of metric per unit squared of the parameter fitted last. */
+    double loss() {
+        return loss;
+    }
+
+    /** Direction in which the velocity is known best, x of a unit vector; of the last fit. */
+    public double axisX() {
+        return axisX;
+    }
+
+    /** The same, y. */
+    public double axisY() {
+        return axisY;
+    }
+
+    /** Loss of metric per (px/s)² along the best known direction. */
+    public double bestLoss() {
+        return mean() + root();
+    }
+
+    /** What is known across the best direction, as a share of what is known along it: 0 for a straight edge. */
+    double flatness() {
+        return (mean() - root()) / Math.max(mean() + root(), Double.MIN_NORMAL);
+    }
+
+    private double mean() {
+        return (lossXx + lossYy) / 2;
+    }
+
+    private double root() {
+        double dif = (lossXx - lossYy) / 2;
+        return Math.sqrt(dif * dif + lossXy * lossXy);
+    }
+
+    /** Curvature that so many standard deviations of a metric make; where votes only cancel, there are none. */
+    private static double floor(double metric, double sigmas) {
+        return -2 * sigmas * Math.sqrt(Math.max(0, metric));
+    }
+
+    private static double stepTo(double curvature, double gradient, double floor) {
+        if (curvature >= floor) {
+            // not a top, or no events that meet: uphill only where the slope is clear
+            return Math.abs(gradient) > -floor ? Math.signum(gradient) : 0;
+        }
+        return Math.max(-1.5, Math.min(1.5, -gradient / curvature));
+    }
+
+    /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
+    void fitAcceleration(double dirX, double dirY, double h) {
+        if (!squared) {
+            for (int i = 0; i < grid.size(); i++) {
+                along[i] = 0.5f * tau[i] * tau[i];
+            }
+            square.take(along, grid.size());
+            squared = true;
+        }
+        fitAlong(square, dirX, square, dirY, h);
+    }
+
+    /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
+    void fitRotation(double h) {
+        for (int i = 0; i < grid.size(); i++) {
+            along[i] = -fromY[i] * tau[i];
+        }
+        alongX.take(along, grid.size());
+        for (int i = 0; i < grid.size(); i++) {
+            along[i] = fromX[i] * tau[i];
+        }
+        alongY.take(along, grid.size());
+        fitAlong(alongX, 1, alongY, 1, h);
+    }
+
+    private void fitAlong(ShiftProfile profileX, double x, ShiftProfile profileY, double y, double h) {
+        double less = grid.metric(profileX, -h * x, profileY, -h * y);
+        double here = m[4];
+        double more = grid.metric(profileX, h * x, profileY, h * y);
+        double curvature = less + more - 2 * here;
+        double floor = floor(Math.max(here, Math.max(less, more)), CHANGE_SIGMAS);
+        step = stepTo(curvature, (more - less) / 2, floor) * h;
+        loss = -Math.min(curvature, 0) / 2 / (h * h);
+    }
+}

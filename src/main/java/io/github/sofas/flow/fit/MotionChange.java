@@ -1,0 +1,133 @@
+package io.github.sofas.flow.fit;
+
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.motion.Motion;
+
+/**
+ * How the motion of a structure changes over the window that it is measured in: acceleration along and across the
+ * axis that is known best, and rotation. Ours, because a velocity that is that of the middle of the window lags: by 25
+ * of a pendulum's 380 px/s.
+ */
+public final class MotionChange {
+    /** Shift of the end of the window by a newly measured change that is half taken over at once, in px. */
+    private static final double NEWS_PX = 1;
+    /** What is left of a change with each measurement that cannot be made. */
+    private static final double HELD = 0.8;
+
+    private final PathBend path = new PathBend();
+    // as measured, before what may be noise is left out
+    private double along;
+    private double across;
+    private double omega;
+    /** The acceleration across as far as it is known. */
+    private double shownAcross;
+    private double turnLoss;
+
+    /** Begins with a steady motion. */
+    public void start(long nowUs) {
+        path.start(nowUs);
+        restart();
+    }
+
+    /**
+     * Measures the change, from the events that the velocity was fitted to, and gives it to the motion; the velocity at
+     * the reference, the middle of the window, stays.
+     *
+     * @param half half the window in s
+     * @param radius of the structure in px
+     */
+    public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double radius, SofasParameters p) {
+        double axisX = loss.axisX;
+        double axisY = loss.axisY;
+        double flatness = fit.flatness();
+        double acceleration = 2 / (half * half); // shifts both ends of the window by one pixel
+        double h = acceleration * p.changePx();
+        fit.fitAcceleration(axisX, axisY, h);
+        double newAlong = motion.ax * axisX + motion.ay * axisY + fit.step();
+        along += gain(newAlong - along, acceleration, p) * (newAlong - along);
+        fit.fitAcceleration(-axisY, axisX, h);
+        double newAcross = motion.ay * axisX - motion.ax * axisY + fit.step();
+        across += p.changeGain() * (newAcross - across);
+        // along a straight edge nothing is known, of acceleration still less than of velocity
+        double shown = shown(flatness, p);
+        shownAcross = across * shown;
+        // measured in the middle of the window, half of it ago: by now some of it may be over
+        double a = p.foresight() * believe(along, acceleration, p);
+        double b = p.foresight() * believe(across, acceleration, p) * shown;
+        motion.ax = a * axisX - b * axisY;
+        motion.ay = a * axisY + b * axisX;
+        if (p.rotation() && radius > 1) {
+            double rotation = 1 / (half * radius); // shifts both ends by one pixel at the radius
+            fit.fitRotation(rotation * p.changePx());
+            turnLoss = fit.loss();
+            double newOmega = motion.omega + fit.step();
+            omega += gain(newOmega - omega, rotation, p) * (newOmega - omega);
+            double shownOmega = shown(shareOf(turnLoss, loss.best() * radius * radius), p);
+            motion.omega = believe(omega, rotation, p) * shownOmega
+                + path.omega(motion, p.pathPx()) * (1 - shownOmega);
+        }
+    }
+
+    /** Follows the path on, whose bend tells how a structure turns that does not show it. */
+    public void follow(Motion motion, SofasParameters p) {
+        path.follow(motion, p.pathPx());
+    }
+
+    /** Holds the motion steady where it cannot be measured, because another structure crosses or no events come. */
+    public void hold(Motion motion) {
+        along *= HELD;
+        across *= HELD;
+        shownAcross *= HELD;
+        omega *= HELD;
+        motion.ax *= HELD;
+        motion.ay *= HELD;
+        motion.omega *= HELD;
+    }
+
+    /** Begins anew with a steady motion on the same path. */
+    public void restart() {
+        along = 0;
+        across = 0;
+        omega = 0;
+        shownAcross = 0;
+        turnLoss = 0;
+    }
+
+    /** Goes on from a rotation that is known from elsewhere, in rad/s. */
+    public void setOmega(double known) {
+        omega = known;
+    }
+
+    /** Shift at the end of the window by the acceleration, in px. */
+    public double bendPx(double half) {
+        return StrictMath.hypot(along, shownAcross) * half * half / 2;
+    }
+
+    /** Loss of metric per (rad/s)² by another rotation. */
+    public double turnLoss() {
+        return turnLoss;
+    }
+
+    /** The share of a measured change to take over: the more, the farther it is from what noise could be. */
+    private static double gain(double news, double perPx, SofasParameters p) {
+        double px = news / perPx;
+        return p.changeGain() + (1 - p.changeGain()) * px * px / (px * px + NEWS_PX * NEWS_PX);
+    }
+
+    /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */
+    private static double shown(double share, SofasParameters p) {
+        double ratio = p.flatChange() / share;
+        return share > 0 ? 1 / (1 + ratio * ratio) : 0;
+    }
+
+    /** A change that shifts the ends of the window by no more than the noise is none. */
+    private static double believe(double value, double perPx, SofasParameters p) {
+        double px = value / perPx;
+        return value * shareOf(px * px, px * px + p.bendPx() * p.bendPx());
+    }
+
+    /** A share of what is known; where nothing is known, none. */
+    private static double shareOf(double part, double whole) {
+        return whole > 0 ? part / whole : 0;
+    }
+}

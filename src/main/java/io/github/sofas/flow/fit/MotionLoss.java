@@ -1,0 +1,51 @@
+package io.github.sofas.flow.fit;
+
+/**
+ * What a measurement knows of a structure's motion: the metric under it, and how much of that another motion would
+ * lose, to second order. A corner loses by any other velocity, a straight edge by one across it only, and a disc loses
+ * nothing by turning.
+ */
+public final class MotionLoss {
+    /** In votes squared. */
+    public double metric;
+    /** Loss per (px/s)², a symmetric matrix. */
+    public double xx;
+    public double xy;
+    public double yy;
+    /** Loss per (rad/s)² about the structure's centre. */
+    public double turn;
+    /** Direction in which the velocity is known best, a unit vector. */
+    public double axisX;
+    public double axisY;
+
+    /** Nothing is known. */
+    public void clear() {
+        metric = 0;
+        xx = 0;
+        xy = 0;
+        yy = 0;
+        turn = 0;
+        axisX = 0;
+        axisY = 0;
+    }
+
+    /** Takes over what a fit found of the velocity. */
+    public void take(MetricFit fit) {
+        metric = fit.metric();
+        xx = fit.lossXx();
+        xy = fit.lossXy();
+        yy = fit.lossYy();
+        axisX = fit.axisX();
+        axisY = fit.axisY();
+    }
+
+    /** Loss per (px/s)² along the better known of the sensor's axes. */
+    public double best() {
+        return Math.max(xx, yy);
+    }
+
+    /** Loss by a velocity that differs by (dvx, dvy) and a rotation that differs by dOmega. */
+    double of(double dvx, double dvy, double dOmega) {
+        return xx * dvx * dvx + 2 * xy * dvx * dvy + yy * dvy * dvy + turn * dOmega * dOmega;
+    }
+}

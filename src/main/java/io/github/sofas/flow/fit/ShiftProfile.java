@@ -1,0 +1,43 @@
+package io.github.sofas.flow.fit;
+
+/**
+ * How far a change of the motion by one unit shifts each event of a set: its time from the reference for a velocity,
+ * half of the square of that for an acceleration. Kept as integers, because shifting events is most of the work of a
+ * fit, and processors shift several at once where no number has to be rounded.
+ */
+final class ShiftProfile {
+    /** Shifts are whole numbers below 2^this, and their unit is a power of two: exact to a few parts in 100,000. */
+    static final int BITS = 14;
+    /** A greatest shift below this is none: its unit's reciprocal would not be a number. */
+    private static final float LEAST = 1e-30f;
+
+    final int[] shift;
+    private double unit;
+
+    ShiftProfile(int capacity) {
+        shift = new int[capacity];
+    }
+
+    /** What a shift of 1 stands for. */
+    double unit() {
+        return unit;
+    }
+
+    /** Takes over the shifts of the first events. */
+    void take(float[] values, int size) {
+        float most = 0;
+        for (int i = 0; i < size; i++) {
+            float value = Math.abs(values[i]);
+            if (value > most) {
+                most = value;
+            }
+        }
+        int exponent = Math.getExponent(most) + 1 - BITS;
+        unit = most >= LEAST ? Math.scalb(1.0, exponent) : 0;
+        float scale = most >= LEAST ? Math.scalb(1f, -exponent) : 0;
+        for (int i = 0; i < size; i++) {
+            // the cast rounds towards zero, so the argument is kept positive
+            shift[i] = (int) (values[i] * scale + ((1 << BITS) + 0.5f)) - (1 << BITS);
+        }
+    }
+}

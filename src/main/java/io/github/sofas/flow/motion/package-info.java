@@ -1,0 +1,7 @@
+/**
+ * Where events were and will be: the projection of an event, the motion of a structure. Open
+ * {@link io.github.sofas.flow.motion.Projection} first.
+ *
+ * <p>A room of {@code flow}: what is public here is public for the other rooms, and may change with any version.
+ */
+package io.github.sofas.flow.motion;

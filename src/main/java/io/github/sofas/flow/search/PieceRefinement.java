@@ -1,0 +1,175 @@
+package io.github.sofas.flow.search;
+
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+
+/**
+ * The velocity of a piece of the flow plane: from its projection's, fit by fit, to the top of the metric, the paper's
+ * refining cycles (section Structure Detection). A fit at a time, so that labelling goes on in between.
+ *
+ * <p>Ours, because sliding an edge along itself at any speed is rewarded while counts are small: a piece is a structure
+ * only when it has travelled enough to be told from one that stands still, and meets itself often enough; and of
+ * velocities that are about as good the slowest is taken. Most pieces are none, and are given up as early as they
+ * show it: many have not travelled enough yet, and are sharper at rest than along their projection.
+ */
+final class PieceRefinement {
+    private static final int MOST_FITS = 8;
+    /**
+     * Shares of the evidence below which a piece is given up after the first fits: those of structures begin at 0.5,
+     * and have 1 after the third.
+     */
+    private static final double[] HOPELESS = {0.4, 0.55, 0.75};
+
+    private enum Stage { BEST, SLOWEST, OVER }
+
+    private final MetricFit fit;
+    private SofasParameters p;
+    private Stage stage = Stage.OVER;
+    private boolean structure;
+    /** Events of the piece, of which a sample is fitted. */
+    private int size;
+    private double window;
+    private double vx;
+    private double vy;
+    /** Fits of this climb so far. */
+    private int fits;
+    // what the first climb found
+    private double bestX;
+    private double bestY;
+    private double bestMetric;
+
+    PieceRefinement(MetricFit fit, SofasParameters p) {
+        this.fit = fit;
+        this.p = p;
+    }
+
+    /** Refines with other parameters from the next piece on. */
+    void setParameters(SofasParameters next) {
+        p = next;
+    }
+
+    /**
+     * Begins with some of the flow plane's events.
+     *
+     * @param events numbers of the events in order of time, from a place on
+     * @param fromVx velocity to begin at, in px/s
+     */
+    void begin(FlowPlane plane, int[] events, int from, int count, double fromVx, double fromVy) {
+        size = count;
+        long firstUs = plane.timeUs(events[from]);
+        long lastUs = plane.timeUs(events[from + size - 1]);
+        window = (lastUs - firstUs) * 1e-6;
+        structure = false;
+        if (window <= 0) {
+            stage = Stage.OVER;
+            return;
+        }
+        load(plane, events, from, firstUs + (lastUs - firstUs) / 2);
+        stage = Stage.BEST;
+        climbFrom(fromVx, fromVy);
+    }
+
+    private void load(FlowPlane plane, int[] events, int from, long referenceUs) {
+        fit.clear();
+        int want = Math.min(size, Math.min(fit.capacity(), p.sampleEvents()));
+        long stride = ((long) size << 16) / want;
+        for (int a = 0; a < want; a++) {
+            int e = events[from + (int) (a * stride >> 16)];
+            fit.add(plane.x(e), plane.y(e), (plane.timeUs(e) - referenceUs) * 1e-6f, 0, 0, plane.sign(e));
+        }
+    }
+
+    private void climbFrom(double fromVx, double fromVy) {
+        vx = fromVx;
+        vy = fromVy;
+        fits = 0;
+        fit.frame(2 * px());
+    }
+
+    /** Velocity that shifts both ends of the window by one pixel. */
+    private double px() {
+        return 2 / window;
+    }
+
+    /** Whether no fit is left to make. */
+    boolean isOver() {
+        return stage == Stage.OVER;
+    }
+
+    /** Whether the piece is a structure, once it is over. */
+    boolean isStructure() {
+        return structure;
+    }
+
+    /** Velocity of the structure in px/s. */
+    double vx() {
+        return vx;
+    }
+
+    double vy() {
+        return vy;
+    }
+
+    /** Makes the next fit. */
+    void step() {
+        if (fits == 0 && stage == Stage.BEST && fit.isSharperAtRest(vx, vy)) {
+            stage = Stage.OVER;
+            return;
+        }
+        if (fits == 0) {
+            fit.fit(vx, vy, p.flatSigmas());
+        } else {
+            fit.fitCross(vx, vy, p.flatSigmas());
+        }
+        vx += fit.stepX();
+        vy += fit.stepY();
+        fits++;
+        if (stage == Stage.BEST && fits <= HOPELESS.length && density() < HOPELESS[fits - 1] * p.evidence()) {
+            stage = Stage.OVER;
+        } else if (fits == MOST_FITS || fits >= 3 && fit.steps() < 0.3) {
+            arrive();
+        } else {
+            fit.frame(fit.metric(), fit.lossXx(), fit.lossXy(), fit.lossYy(), p.neighbourLoss(), p.minStepPx() * px(),
+                p.maxStepPx() * px());
+        }
+    }
+
+    private void arrive() {
+        if (stage == Stage.SLOWEST) {
+            stage = Stage.OVER;
+            if (fit.metric() < (1 - p.slowestWithin()) * bestMetric
+                    || vx * vx + vy * vy > bestX * bestX + bestY * bestY) {
+                vx = bestX;
+                vy = bestY;
+            } else {
+                structure = isEvident();
+            }
+            return;
+        }
+        stage = Stage.OVER;
+        structure = isEvident();
+        double across = vx * fit.axisX() + vy * fit.axisY();
+        double along = vy * fit.axisX() - vx * fit.axisY();
+        if (structure && Math.abs(along) > 0.1 * Math.abs(across)) {
+            // the slowest of what is about as good: without the velocity along the edge
+            stage = Stage.SLOWEST;
+            bestX = vx;
+            bestY = vy;
+            bestMetric = fit.metric();
+            climbFrom(across * fit.axisX(), across * fit.axisY());
+        }
+    }
+
+    /** Whether what was fitted last has travelled enough, and meets itself enough. */
+    private boolean isEvident() {
+        // travel counts where it is seen: in the directions that would lose by standing still
+        double loss = fit.lossXx() * vx * vx + 2 * fit.lossXy() * vx * vy + fit.lossYy() * vy * vy;
+        double travelPx = Math.sqrt(Math.max(0, loss / fit.bestLoss())) * window;
+        return travelPx > 0.6 * p.flowTravelPx() && density() >= p.evidence();
+    }
+
+    /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */
+    private double density() {
+        return fit.metric() / fit.size() * size / fit.size();
+    }
+}

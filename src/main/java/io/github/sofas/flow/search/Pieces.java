@@ -1,0 +1,142 @@
+package io.github.sofas.flow.search;
+
+import java.util.Arrays;
+
+/**
+ * The pieces of a projection: cells that stand out, with the occupied cells that are connected to them (paper, section
+ * Flow Plane), and the events that fall on each.
+ */
+final class Pieces {
+    private static final int LEAST_STRONG = 3;
+    private static final int LEAST_OCCUPIED = 2;
+
+    private final FlowPlane plane;
+    private final int n;
+    private final int[] label;
+    private final int[] fill;
+    private int filled;
+    // events of the projection by piece, as numbers of the flow plane; piece 0 is none
+    private int[] events = new int[4096];
+    private int[] pieceOf = new int[4096];
+    private int[] starts = new int[256];
+
+    /** The most bytes that its arrays take: two marks a cell, and three numbers an event. */
+    static long mostBytes(long cells) {
+        // up to two counts a cell; arrays of events may have grown to twice what is held
+        return Integer.BYTES * (4 * cells + 3 * 2L * FlowPlane.MOST_HELD);
+    }
+
+    Pieces(FlowPlane plane) {
+        this.plane = plane;
+        n = plane.n();
+        label = new int[plane.cells()];
+        fill = new int[plane.cells()];
+    }
+
+    /**
+     * Finds the pieces of a projection.
+     *
+     * @param thresholdSd standard deviations over the mean of the occupied cells that a cell must reach to stand out
+     * @return how many there are
+     */
+    int find(int k, double thresholdSd) {
+        int pieces = connect(plane.accumulator(k), plane.metric(k), thresholdSd);
+        sort(k, pieces);
+        for (int i = 0; i < filled; i++) {
+            label[fill[i]] = 0;
+        }
+        return pieces;
+    }
+
+    /** Events of all pieces, each piece's in order of time. */
+    int[] events() {
+        return events;
+    }
+
+    /** Where the events of a piece begin, and those of the one before end. */
+    int start(int piece) {
+        return starts[piece];
+    }
+
+    /** Numbers the pieces, from 1 on. */
+    private int connect(short[] f, long squares, double thresholdSd) {
+        double threshold = threshold(f, squares, thresholdSd);
+        int columns = (1 << plane.columnBits()) - 1;
+        int rows = f.length / (columns + 1) - 1;
+        int pieces = 0;
+        filled = 0;
+        for (int c = 0; c < f.length; c++) {
+            if (Math.abs(f[c]) < threshold || label[c] != 0) {
+                continue;
+            }
+            pieces++;
+            int next = filled;
+            fill[filled++] = c;
+            label[c] = pieces;
+            while (next < filled) {
+                int d = fill[next++];
+                int x = d & columns;
+                int y = d >> plane.columnBits();
+                for (int dy = -1; dy <= 1; dy++) {
+                    for (int dx = -1; dx <= 1; dx++) {
+                        int e = (y + dy & rows) << plane.columnBits() | x + dx & columns;
+                        if (label[e] == 0 && Math.abs(f[e]) >= LEAST_OCCUPIED) {
+                            label[e] = pieces;
+                            fill[filled++] = e;
+                        }
+                    }
+                }
+            }
+        }
+        return pieces;
+    }
+
+    /** Mean + w sd of the occupied cells, whose squares add up to the metric. */
+    private static double threshold(short[] f, long squares, double thresholdSd) {
+        long sum = 0;
+        int occupied = 0;
+        // without a branch: half of the cells are occupied, here and there
+        for (short value : f) {
+            int v = Math.abs(value);
+            sum += v;
+            occupied += -v >>> Integer.SIZE - 1;
+        }
+        if (occupied == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double mean = (double) sum / occupied;
+        double sd = Math.sqrt(Math.max(0, (double) squares / occupied - mean * mean));
+        return Math.max(LEAST_STRONG, mean + thresholdSd * sd);
+    }
+
+    /** Sorts the events of a projection by the pieces that they fall on, in order of time. */
+    private void sort(int k, int pieces) {
+        if (starts.length < pieces + 2) {
+            starts = new int[2 * pieces];
+        }
+        Arrays.fill(starts, 0, pieces + 2, 0);
+        int ring = k / n;
+        int held = plane.end(ring) - plane.oldest(ring);
+        if (events.length < held) {
+            events = new int[2 * held];
+            pieceOf = new int[2 * held];
+        }
+        for (int i = 0; i < held; i++) {
+            int e = plane.oldest(ring) + i;
+            pieceOf[i] = plane.isTakenOut(e) ? 0 : label[plane.cell(k, e)];
+            starts[pieceOf[i]]++;
+        }
+        int end = 0;
+        for (int piece = 0; piece <= pieces + 1; piece++) {
+            int its = starts[piece];
+            starts[piece] = end;
+            end += its;
+        }
+        for (int i = 0; i < held; i++) {
+            events[starts[pieceOf[i]]++] = plane.oldest(ring) + i;
+        }
+        // each start moved to the next one's
+        System.arraycopy(starts, 0, starts, 1, pieces + 1);
+        starts[0] = 0;
+    }
+}

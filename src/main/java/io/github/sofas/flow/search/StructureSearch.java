@@ -1,0 +1,289 @@
+package io.github.sofas.flow.search;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import java.util.Arrays;
+
+/**
+ * Finds structures in the flow plane: the best projection, its pieces (paper, section Flow Plane) and the motion of
+ * each; a piece that is a structure becomes a track plane. Because several structures may share the best projection
+ * roughly, each piece is refined by itself; pieces of one structure are merged by who tracks them.
+ *
+ * <p>Ours: a look takes up to a thousand times as long as labelling an event, and is made in small parts between the
+ * events that come in the meantime, so that none of them waits for it.
+ */
+public final class StructureSearch {
+    /** Unmatched events between two looks. */
+    private static final int EVERY = 128;
+    /** Standard deviations by which a metric must pass what chance gives. */
+    private static final double CHANCE_SIGMAS = 6;
+    /** Share of its events that a piece must not have been looked at with before, in vain. */
+    private static final double NEWS = 0.25;
+    /**
+     * Votes that may be given for each event that is labelled: by the track planes' measurements, which cannot wait,
+     * and what they leave by the search, so that a thousand events that need much of both take no longer than others.
+     * By events, not by time, so that it keeps up with any rate, and results do not depend on the machine.
+     */
+    private static final int VOTES_PER_EVENT = 120;
+    /** What is left to the search at least: many structures must not keep others from being found. */
+    private static final int LEAST_PER_EVENT = 40;
+    /** Most votes that are saved up, and that are owed for measurements. */
+    private static final long MOST_SAVED = 40_000;
+    private static final long MOST_OWED = 100_000;
+    /** Votes of the flow plane, and cells looked through, that cost as much as one vote of a fit. */
+    private static final int CHEAP_VOTES = 2;
+    private static final int CHEAP_CELLS = 4;
+
+    /** Votes that a look in vain may give for each unmatched event until the next. */
+    private static final int VAIN_VOTES = 10;
+
+    private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OUT }
+
+    private final FlowPlane plane;
+    private final int n;
+    private final long[] refusedUntil;
+    private final Pieces pieces;
+    private final PieceRefinement refinement;
+    private final MetricFit fit;
+    private final Structures structures;
+    private SofasParameters p;
+
+    private Stage stage = Stage.IDLE;
+    private long nextLook;
+    private long saved;
+    private long owed;
+
+    // the look that is under way: votes of the search before it, projection, its pieces, the one that is looked at
+    private long votesBefore;
+    private int projection;
+    private boolean found;
+    private int piece;
+    private int count;
+    private int from;
+    private int size;
+
+    // events of a new structure that are to be taken out of the rings, and of how many they are
+    private int[] taken = new int[4096];
+    private int takenSize;
+    private int rings;
+
+    /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
+    public static long mostBytes(SensorSize sensor, SofasParameters p) {
+        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(FlowPlane.cells(sensor, p));
+    }
+
+    /** Makes a search in a flow plane, which hands what it finds to others. */
+    public StructureSearch(FlowPlane plane, SofasParameters p, MetricFit fit, Structures structures) {
+        this.plane = plane;
+        this.structures = structures;
+        this.p = p;
+        this.fit = fit;
+        n = plane.n();
+        refusedUntil = new long[n * n];
+        pieces = new Pieces(plane);
+        refinement = new PieceRefinement(fit, p);
+    }
+
+    /** Looks on with other parameters that leave the flow plane as it is. */
+    public void setParameters(SofasParameters next) {
+        p = next;
+        refinement.setParameters(next);
+    }
+
+    /**
+     * Looks for structures as far as is due with another event.
+     *
+     * @param measuringVotes votes that the measurements of track planes gave since the event before
+     */
+    public void run(long measuringVotes) {
+        owed = Math.min(MOST_OWED, owed + measuringVotes);
+        long paid = Math.min(owed, VOTES_PER_EVENT - LEAST_PER_EVENT);
+        owed -= paid;
+        saved = Math.min(MOST_SAVED, saved + VOTES_PER_EVENT - paid);
+        while (saved > 0 && isBusy()) {
+            work();
+        }
+    }
+
+    /** Whether a look is under way or due. */
+    private boolean isBusy() {
+        return stage != Stage.IDLE || plane.total() >= nextLook;
+    }
+
+    private void work() {
+        switch (stage) {
+            case CHOOSING:
+                choose();
+                break;
+            case REFINING:
+                refine();
+                break;
+            case TAKING_OUT:
+                takeOut();
+                break;
+            default:
+                look();
+        }
+    }
+
+    /** Begins to look at the best projection, if there is one. */
+    private void look() {
+        nextLook = plane.total() + EVERY;
+        int best = structures.isFull() ? -1 : best();
+        if (best >= 0) {
+            projection = best;
+            found = false;
+            votesBefore = fit.votes();
+            count = pieces.find(best, p.thresholdSd());
+            piece = 0;
+            saved -= plane.cells() / CHEAP_CELLS + plane.count(best / n) / CHEAP_VOTES;
+            stage = Stage.CHOOSING;
+        }
+    }
+
+    /**
+     * The projection whose metric gains most over chance in a time: signed votes at random places give one an event.
+     * Per time, because slow projections hold events longer.
+     */
+    private int best() {
+        int best = -1;
+        double most = 0;
+        for (int i = 0; i < n; i++) {
+            int held = plane.count(i);
+            if (held < p.minEvents()) {
+                continue;
+            }
+            double least = Math.max(CHANCE_SIGMAS * held * Math.sqrt(2.0 / plane.cells()),
+                p.evidence() * p.minEvents());
+            for (int k = i * n; k < i * n + n; k++) {
+                double gain = plane.metric(k) - held;
+                if (gain >= least && gain * plane.speed(i) > most && plane.total() >= refusedUntil[k]) {
+                    most = gain * plane.speed(i);
+                    best = k;
+                }
+            }
+        }
+        return best;
+    }
+
+    /** Goes on to the next piece that may be a structure. */
+    private void choose() {
+        while (piece < count && !structures.isFull()) {
+            piece++;
+            from = pieces.start(piece);
+            size = pieces.start(piece + 1) - from;
+            letGo();
+            if (size >= p.minEvents() && isNews()) {
+                refinement.begin(plane, pieces.events(), from, size, plane.vx(projection), plane.vy(projection));
+                stage = Stage.REFINING;
+                return;
+            }
+        }
+        finish();
+    }
+
+    /** Forgets events of the piece that the flow plane has let go in the meantime. */
+    private void letGo() {
+        while (size > 0 && !plane.holds(pieces.events()[from])) {
+            from++;
+            size--;
+        }
+    }
+
+    private void finish() {
+        stage = Stage.IDLE;
+        long total = plane.total();
+        if (found) {
+            nextLook = total;
+        } else {
+            int held = plane.count(projection / n);
+            refusedUntil[projection] = total + Math.max(64, held / 4);
+            // the more it cost the longer, but as long as much of what is held is as it was
+            nextLook = total + Math.max(EVERY, Math.min(held / 8, (fit.votes() - votesBefore) / VAIN_VOTES));
+        }
+    }
+
+    /** Whether enough of the piece was not looked at in vain before. */
+    private boolean isNews() {
+        int old = 0;
+        for (int a = from; a < from + size; a++) {
+            if (plane.wasRefused(projection / n, pieces.events()[a])) {
+                old++;
+            }
+        }
+        return old <= (1 - NEWS) * size;
+    }
+
+    private void refine() {
+        long before = fit.votes();
+        if (!refinement.isOver()) {
+            refinement.step();
+        }
+        saved -= fit.votes() - before;
+        if (refinement.isOver()) {
+            letGo();
+            stage = Stage.CHOOSING;
+            if (!refinement.isStructure()) {
+                refuse();
+            } else if (size >= p.minEvents() && !structures.isFull()) {
+                track();
+                found = true;
+                rings = 0;
+                stage = Stage.TAKING_OUT;
+            }
+        }
+    }
+
+    private void refuse() {
+        for (int a = from; a < from + size; a++) {
+            plane.refuse(projection / n, pieces.events()[a]);
+        }
+    }
+
+    private void track() {
+        int last = pieces.events()[from + size - 1];
+        Structures.Structure structure = structures.create(plane.timeUs(last), refinement.vx(), refinement.vy());
+        takenSize = 0;
+        for (int a = from; a < from + size; a++) {
+            hand(pieces.events()[a], structure);
+        }
+        if (structure.begin(plane.timeUs(last))) {
+            // those that came while it was refined, and would be a structure of their own, unless another has them
+            for (int e = last + 1; e != plane.head(); e++) {
+                if (!plane.isTakenOut(e)
+                        && structure.expects(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e))) {
+                    hand(e, structure);
+                }
+            }
+        }
+        saved -= (long) takenSize * n;
+    }
+
+    private void hand(int event, Structures.Structure structure) {
+        structure.addPast(plane.x(event), plane.y(event), plane.timeUs(event), plane.sign(event));
+        if (takenSize == taken.length) {
+            taken = Arrays.copyOf(taken, 2 * takenSize);
+        }
+        taken[takenSize++] = event;
+    }
+
+    /** Takes the events of a new structure out of the next ring. */
+    private void takeOut() {
+        plane.takeOut(rings, taken, takenSize);
+        saved -= (long) takenSize * n / CHEAP_VOTES;
+        rings++;
+        if (rings == n) {
+            stage = Stage.CHOOSING;
+        }
+    }
+
+    /** Forgets the look that is under way, and what was looked at in vain. */
+    public void reset() {
+        Arrays.fill(refusedUntil, 0);
+        stage = Stage.IDLE;
+        nextLook = 0;
+        saved = 0;
+        owed = 0;
+    }
+}

@@ -1,0 +1,205 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.flow.motion.Motion;
+import java.util.Arrays;
+
+/**
+ * What a structure has looked like: where its contour was seen, in coordinates that travel and turn with it, remembered
+ * for a while after its live events have gone. Ours, because an edge that was hidden, or that moved along itself, would
+ * else come back as a structure of its own.
+ *
+ * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last.
+ */
+final class Shape {
+    /** Ticks are 1,024 us. */
+    private static final int TICK_BITS = 10;
+    /** Twelve days; then all is forgotten, and ticks begin at 0 again. */
+    private static final int LAST_TICK = 1 << 30;
+    private static final int NEVER = Integer.MIN_VALUE / 2;
+    /** Cells of the four around an event that must be remembered: an edge passes through two. */
+    private static final int LEAST_CELLS = 2;
+
+    private final int columnBits;
+    private final int maskX;
+    private final int maskY;
+    /** Tick at which each cell was seen last. */
+    private final int[] seen;
+    private final Motion motion = new Motion();
+    private final Motion thought = new Motion();
+    // the origin of the structure's coordinates at the motion's reference, and how far they have turned
+    private double originX;
+    private double originY;
+    private double angle;
+    private double cos;
+    private double sin;
+    private int memoryTicks;
+    private long epochUs;
+    // box of all cells ever seen
+    private int minX;
+    private int minY;
+    private int maxX;
+    private int maxY;
+    // place located last, in cells
+    private double cellX;
+    private double cellY;
+
+    Shape(int sensorWidth, int sensorHeight) {
+        columnBits = bits(sensorWidth);
+        maskX = (1 << columnBits) - 1;
+        maskY = (1 << bits(sensorHeight)) - 1;
+        seen = new int[(maskX + 1) * (maskY + 1)];
+    }
+
+    /** Cells along an axis, as a power of two: those of the sensor and a few around it. */
+    static int bits(int side) {
+        return Integer.SIZE - Integer.numberOfLeadingZeros(side / 2 + 7);
+    }
+
+    /** Begins with nothing seen. */
+    void start(Motion now) {
+        Arrays.fill(seen, NEVER);
+        motion.copyFrom(now);
+        originX = 0;
+        originY = 0;
+        memoryTicks = 0;
+        angle = 0;
+        cos = 1;
+        sin = 0;
+        epochUs = now.referenceUs;
+        minX = Integer.MAX_VALUE;
+        minY = Integer.MAX_VALUE;
+        maxX = Integer.MIN_VALUE;
+        maxY = Integer.MIN_VALUE;
+    }
+
+    /**
+     * Moves the coordinates along to the reference of a motion, which they follow from then on.
+     *
+     * @param memoryUs for how long cells are remembered
+     */
+    void follow(Motion now, long memoryUs) {
+        double dt = (now.referenceUs - motion.referenceUs) * 1e-6;
+        // the new motion is known better than the old, also for the time between
+        double travelX = (now.vx - 0.5 * now.ax * dt) * dt;
+        double travelY = (now.vy - 0.5 * now.ay * dt) * dt;
+        double rx = originX - (now.centreX - travelX);
+        double ry = originY - (now.centreY - travelY);
+        double turn = now.omega * dt;
+        originX += travelX - turn * (ry + 0.5 * turn * rx);
+        originY += travelY + turn * (rx - 0.5 * turn * ry);
+        turnTo(angle + turn);
+        goOn(now, memoryUs);
+    }
+
+    /**
+     * Moves the coordinates along with a structure from where its centre was to that of a motion, which they follow
+     * from then on.
+     *
+     * @param turned since it was there, in rad
+     */
+    void carry(double fromX, double fromY, double turned, Motion now, long memoryUs) {
+        double c = StrictMath.cos(turned);
+        double s = StrictMath.sin(turned);
+        double rx = originX - fromX;
+        double ry = originY - fromY;
+        originX = now.centreX + c * rx - s * ry;
+        originY = now.centreY + s * rx + c * ry;
+        turnTo(angle + turned);
+        goOn(now, memoryUs);
+    }
+
+    private void turnTo(double newAngle) {
+        angle = newAngle;
+        cos = StrictMath.cos(angle);
+        sin = StrictMath.sin(angle);
+    }
+
+    private void goOn(Motion now, long memoryUs) {
+        motion.copyFrom(now);
+        memoryTicks = (int) Math.min(memoryUs >> TICK_BITS, LAST_TICK / 2);
+        if (now.referenceUs - epochUs >> TICK_BITS > LAST_TICK) {
+            Arrays.fill(seen, NEVER);
+            epochUs = now.referenceUs;
+        }
+    }
+
+    /** Locates a point of the sensor at a time dt s after the reference, into {@link #cellX} and {@link #cellY}. */
+    private void locate(double x, double y, double dt) {
+        double rx = x - originX - motion.vx * dt;
+        double ry = y - originY - motion.vy * dt;
+        if (angle != 0 || motion.omega != 0) {
+            // the origin moves with the structure, about the centre
+            double ox = originX - motion.centreX;
+            double oy = originY - motion.centreY;
+            double turn = motion.omega * dt;
+            rx += turn * oy;
+            ry -= turn * ox;
+            double c = cos - turn * sin;
+            double s = sin + turn * cos;
+            double t = c * rx + s * ry;
+            ry = c * ry - s * rx;
+            rx = t;
+        }
+        cellX = rx * 0.5;
+        cellY = ry * 0.5;
+    }
+
+    /** Remembers a place of the sensor at the reference time as the structure's, seen at a time before. */
+    void see(double x, double y, long timeUs) {
+        locate(x, y, 0);
+        int cx = (int) Math.floor(cellX);
+        int cy = (int) Math.floor(cellY);
+        minX = Math.min(minX, cx);
+        maxX = Math.max(maxX, cx);
+        minY = Math.min(minY, cy);
+        maxY = Math.max(maxY, cy);
+        seen[(cy & maskY) << columnBits | cx & maskX] = tick(timeUs);
+    }
+
+    private int tick(long timeUs) {
+        return (int) (timeUs - epochUs >> TICK_BITS);
+    }
+
+    /** How many of the four cells around an event were seen; 0 where they are too few. */
+    int remembered(int x, int y, long timeUs) {
+        locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
+        // the four cells nearest
+        int cx = (int) Math.floor(cellX - 0.5);
+        int cy = (int) Math.floor(cellY - 0.5);
+        if (cx < minX - 1 || cx > maxX || cy < minY - 1 || cy > maxY) {
+            return 0;
+        }
+        int since = tick(timeUs) - memoryTicks;
+        int row = (cy & maskY) << columnBits;
+        int next = (cy + 1 & maskY) << columnBits;
+        int left = cx & maskX;
+        int right = cx + 1 & maskX;
+        int cells = 0;
+        cells += seen[row | left] > since ? 1 : 0;
+        cells += seen[row | right] > since ? 1 : 0;
+        cells += seen[next | left] > since ? 1 : 0;
+        cells += seen[next | right] > since ? 1 : 0;
+        return cells >= LEAST_CELLS ? cells : 0;
+    }
+
+    /** Whether a place of the sensor was seen. */
+    boolean wasSeen(double x, double y, long timeUs) {
+        locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
+        int cx = (int) Math.floor(cellX);
+        int cy = (int) Math.floor(cellY);
+        return cx >= minX && cx <= maxX && cy >= minY && cy <= maxY
+            && seen[(cy & maskY) << columnBits | cx & maskX] > tick(timeUs) - memoryTicks;
+    }
+
+    /** Moves the shape from where its structure was thought to be to where it was found; it follows another motion. */
+    void move(double dx, double dy, Motion now, long memoryUs) {
+        thought.copyFrom(motion);
+        thought.ax = 0;
+        thought.ay = 0;
+        thought.moveReference(now.referenceUs);
+        follow(thought, memoryUs);
+        originX += dx;
+        originY += dy;
+        follow(now, memoryUs);
+    }
+}

@@ -1,0 +1,307 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.PixelConsumer;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.CommonMotion;
+import io.github.sofas.flow.fit.MetricFit;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * The structures that are tracked (paper, section Algorithm).
+ *
+ * <p>Ours: an event is not offered to the planes in turn but goes to the one that predicts it best, at the greatest
+ * rate: its support there over the time that the support was gathered in. In turn, the older of two crossing structures
+ * would take the other's events; by support alone, the slower one would.
+ */
+public final class TrackPlaneStack {
+    /** Most events that a track plane's motion is measured from. */
+    public static final int MOST_MEASURED = LiveEvents.CAPACITY;
+
+    private static final long CHECK_US = 5_000;
+    /** Support below this many thresholds is weak. */
+    private static final int WEAK = 4;
+
+    private final SensorSize sensor;
+    private final Consumer<Segment> ended;
+    private SofasParameters p;
+    private MetricFit fit;
+    /** Votes of the fit that were asked for. */
+    private long counted;
+    private TrackPlane[] planes;
+    private final List<TrackPlane> unused = new ArrayList<>();
+    private LiveEvents spare = new LiveEvents();
+    private final CommonMotion common = new CommonMotion();
+    private final Reappearance reappearance = new Reappearance();
+    private final StrayEvents strays = new StrayEvents();
+    private final Registration registration;
+    private int size;
+    private int nextId = 1;
+    private long nextCheckUs = Long.MIN_VALUE;
+    // of the event matched last
+    private boolean shared;
+    private boolean remembered;
+
+    /** Makes an empty stack that reports segments when they end. */
+    public TrackPlaneStack(SensorSize sensor, SofasParameters p, MetricFit fit, Consumer<Segment> ended) {
+        this.sensor = sensor;
+        this.p = p;
+        this.fit = fit;
+        this.ended = ended;
+        planes = new TrackPlane[p.maxTrackPlanes()];
+        registration = new Registration(sensor.width(), sensor.height());
+    }
+
+    /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
+    public static long mostBytes(SensorSize sensor, SofasParameters p) {
+        // one more ring, for merging
+        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES
+            + Registration.bytes(sensor.width(), sensor.height()) + StrayEvents.BYTES;
+    }
+
+    /** The plane that an event belongs to, or null. */
+    public TrackPlane match(int x, int y, long timeUs, int polarity) {
+        TrackPlane best = null;
+        double bestRate = 0;
+        double secondRate = 0;
+        for (int i = 0; i < size; i++) {
+            TrackPlane plane = planes[i];
+            if (plane.isFollowedByPlace()) {
+                continue;
+            }
+            int support = plane.support(x, y, timeUs, polarity);
+            if (support >= plane.threshold()) {
+                double rate = (double) support / plane.lifetimeUs();
+                if (rate > bestRate) {
+                    secondRate = bestRate;
+                    best = plane;
+                    bestRate = rate;
+                } else if (rate > secondRate) {
+                    secondRate = rate;
+                }
+            }
+        }
+        remembered = best == null;
+        if (remembered) {
+            shared = false;
+            best = slowed(x, y, timeUs, polarity);
+            if (best == null) {
+                best = remembering(x, y, timeUs);
+            }
+            if (best == null) {
+                strays.add(x, y, timeUs);
+            }
+            return best;
+        }
+        shared = secondRate > p.sharedScore() * bestRate
+            || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
+        return best;
+    }
+
+    /** The plane that is followed by its place, and whose contour an event lies on. */
+    private TrackPlane slowed(int x, int y, long timeUs, int polarity) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i].isFollowedByPlace() && planes[i].support(x, y, timeUs, polarity) >= planes[i].threshold()) {
+                return planes[i];
+            }
+        }
+        return null;
+    }
+
+    /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
+    private TrackPlane remembering(int x, int y, long timeUs) {
+        TrackPlane best = null;
+        double bestRate = 0;
+        for (int i = 0; i < size; i++) {
+            double rate = (double) planes[i].remembered(x, y, timeUs) / planes[i].lifetimeUs();
+            if (rate > bestRate) {
+                best = planes[i];
+                bestRate = rate;
+            }
+        }
+        return best;
+    }
+
+    private boolean isRememberedByOther(TrackPlane plane, int x, int y, long timeUs) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i] != plane && planes[i].remembered(x, y, timeUs) > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Gives the event matched last to its plane. */
+    public void take(TrackPlane plane, int x, int y, long timeUs, int polarity) {
+        plane.take(x, y, timeUs, polarity, shared, remembered, fit);
+    }
+
+    /** From time to time removes planes whose structures are gone, and merges those that describe one structure. */
+    public void check(long nowUs) {
+        if (nowUs < nextCheckUs) {
+            return;
+        }
+        nextCheckUs = nowUs + CHECK_US;
+        for (int i = size - 1; i >= 0; i--) {
+            if (planes[i].isGone(nowUs, sensor)) {
+                end(i, Segment.Fate.REMOVED, 0);
+            } else {
+                planes[i].measureIfLate(fit, nowUs);
+            }
+        }
+        findCrowds(nowUs);
+        for (int i = 0; i < size; i++) {
+            planes[i].followPlace(strays, registration, fit, sensor, nowUs);
+        }
+        for (int i = 0; i < size; i++) {
+            for (int j = size - 1; j > i; j--) {
+                if (isSame(planes[i], planes[j], nowUs)) {
+                    merge(i, j, nowUs);
+                }
+            }
+        }
+    }
+
+    private boolean isSame(TrackPlane a, TrackPlane b, long nowUs) {
+        return a.describesSameAs(b, common, nowUs)
+            && (a.id() < b.id() ? b.agreesFor(a, nowUs) : a.agreesFor(b, nowUs));
+    }
+
+    private void findCrowds(long nowUs) {
+        for (int i = 0; i < size; i++) {
+            planes[i].uncover();
+            planes[i].setAccompanied(false);
+        }
+        for (int i = 0; i < size; i++) {
+            for (int j = i + 1; j < size; j++) {
+                if (planes[i].overlaps(planes[j], nowUs)) {
+                    planes[i].coverBy(planes[j], nowUs);
+                    planes[j].coverBy(planes[i], nowUs);
+                }
+                if (planes[i].isBeside(planes[j], nowUs)) {
+                    planes[i].setAccompanied(true);
+                    planes[j].setAccompanied(true);
+                }
+            }
+        }
+    }
+
+    /** The older of two planes takes over the younger; both move along the common motion. */
+    private void merge(int i, int j, long nowUs) {
+        if (planes[i].id() > planes[j].id()) {
+            TrackPlane older = planes[j];
+            planes[j] = planes[i];
+            planes[i] = older;
+        }
+        spare = planes[i].merge(planes[j], common.motion(), spare, nowUs);
+        end(j, Segment.Fate.MERGED, planes[i].id());
+    }
+
+    private void end(int i, Segment.Fate fate, int mergedInto) {
+        ended.accept(planes[i].segment(sensor.width(), sensor.height(), fate, mergedInto));
+        release(i);
+    }
+
+    private void release(int i) {
+        planes[i].clear();
+        unused.add(planes[i]);
+        size--;
+        planes[i] = planes[size];
+        planes[size] = null;
+    }
+
+    /** Whether no further structure can be tracked. */
+    public boolean isFull() {
+        return size == planes.length;
+    }
+
+    /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
+    public TrackPlane create(long nowUs, double vx, double vy) {
+        TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor.width(), sensor.height(), p)
+            : unused.remove(unused.size() - 1);
+        plane.start(nextId++, nowUs, vx, vy);
+        return plane;
+    }
+
+    /**
+     * Begins to track a new structure, or a lost one that is recognised in it.
+     *
+     * @return whether the plane tracks it; not where it is a piece of one that another plane tracks
+     */
+    public boolean begin(TrackPlane plane, long nowUs) {
+        plane.recentre(fit, nowUs);
+        planes[size++] = plane;
+        plane.show(reappearance);
+        for (int i = 0; i < size - 1; i++) {
+            if (planes[i].isHidden() && planes[i].isRecognisedBy(reappearance, nowUs)) {
+                plane.continueAs(planes[i], reappearance);
+                release(i);
+                return true;
+            }
+            if (planes[i].hasJustReappeared(nowUs) && planes[i].hasPieceAt(reappearance, nowUs)) {
+                common.fit(planes[i].motion(), planes[i].loss(), plane.motion(), plane.loss(), nowUs);
+                merge(i, size - 1, nowUs);
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Votes given by measurements since this was asked last, a measure of work. */
+    public long newVotes() {
+        long votes = fit.votes() - counted;
+        counted += votes;
+        return votes;
+    }
+
+    /** The living segments. */
+    public List<Segment> segments() {
+        List<Segment> segments = new ArrayList<>();
+        for (int i = 0; i < size; i++) {
+            segments.add(planes[i].segment(sensor.width(), sensor.height(), Segment.Fate.ALIVE, 0));
+        }
+        return segments;
+    }
+
+    /** Tracks on with other parameters; where fewer planes are allowed, the last ones end. */
+    public void setParameters(SofasParameters next) {
+        p = next;
+        while (size > p.maxTrackPlanes()) {
+            end(size - 1, Segment.Fate.REMOVED, 0);
+        }
+        planes = Arrays.copyOf(planes, p.maxTrackPlanes());
+        for (int i = 0; i < size; i++) {
+            planes[i].setParameters(p);
+        }
+        unused.clear();
+    }
+
+    /** Measures motion with another fit from now on. */
+    public void setFit(MetricFit next) {
+        fit = next;
+        counted = 0;
+    }
+
+    /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
+    public void contour(int id, long nowUs, PixelConsumer pixels) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i].id() == id) {
+                planes[i].contour(nowUs, pixels);
+            }
+        }
+    }
+
+    /** Ends all segments, and begins to count them anew. */
+    public void reset() {
+        while (size > 0) {
+            end(size - 1, Segment.Fate.REMOVED, 0);
+        }
+        strays.clear();
+        nextId = 1;
+        nextCheckUs = Long.MIN_VALUE;
+    }
+}
