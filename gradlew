@@ -135,19 +135,26 @@ unpack() {
 
 install_package() {
     command -v apt-get >/dev/null || return 1
+    packages='gradle openjdk-17-jdk-headless'
+    if [ -n "${SOFAS_NO_INSTALL:-}" ] && [ "$SOFAS_NO_INSTALL" != 0 ]; then
+        say "SOFAS_NO_INSTALL forbids to install $packages by apt-get"
+        return 1
+    fi
     if [ "$(id -u)" = 0 ]; then
         as_root=
     elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
         as_root='sudo -n'
     else
-        say "apt-get could install it, but not without root's rights: sudo apt-get install gradle openjdk-17-jdk-headless"
+        say "apt-get could install it, but needs root's rights: sudo apt-get install $packages"
         return 1
     fi
-    say "installing the packages gradle and openjdk-17-jdk-headless by apt-get"
-    # what it unpacks is not said, what goes wrong is
+    say "no Gradle and JDK here can build SOFAS: installing Debian's packages $packages by apt-get" \
+        "(SOFAS_NO_INSTALL=1 forbids it)"
+    # standard output lists what it unpacks; errors remain
+    # shellcheck disable=SC2086
     $as_root apt-get update -qq >/dev/null &&
         $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
-            gradle openjdk-17-jdk-headless >/dev/null
+            $packages >/dev/null
 }
 
 java_home_given=${JAVA_HOME:-}
@@ -157,7 +164,7 @@ if find_java 17 "$(newest_java_for "$pinned" '')" javac >/dev/null; then
     if folder=$(pinned_folder); then
         run "$folder" "$@"
     fi
-    say "the pinned Gradle $pinned is not to be had"
+    say "the pinned Gradle $pinned could not be obtained"
 fi
 if install_package; then
     run_gradle_on_path "$@"
