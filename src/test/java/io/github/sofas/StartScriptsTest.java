@@ -1,6 +1,7 @@
 package io.github.sofas;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -28,6 +29,8 @@ public class StartScriptsTest {
     private final Map<String, String> environment = new TreeMap<>();
     private Path root;
     private Path project;
+    /** As {@code ./gradlew installDist} makes it. */
+    private Path program;
 
     @Before
     public void copiesTheScriptsAndHidesTheMachine() throws IOException {
@@ -36,6 +39,7 @@ public class StartScriptsTest {
         }
         root = folder.getRoot().toPath().toRealPath();
         project = Files.createDirectories(root.resolve("project"));
+        program = project.resolve("build/install/sofas");
         Files.createDirectories(project.resolve("gradle"));
         Files.createDirectories(project.resolve("src/main"));
         Files.createDirectories(project.resolve("plugins/jaer/src/main"));
@@ -114,7 +118,7 @@ public class StartScriptsTest {
         // the SHA-256 of nothing
         assertEquals("gradlew: its SHA-256 is e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
             + " but must be f397b287023acdba1e9f6fc5ea72d22dd63669d59ed4a289a29b1a76eee151c6; not used", lines[2]);
-        assertEquals("gradlew: the pinned Gradle 8.11.1 is not to be had", lines[3]);
+        assertEquals("gradlew: the pinned Gradle 8.11.1 could not be obtained", lines[3]);
         assertEquals("", result.out);
         assertEquals(1, result.code);
         try (var left = Files.list(root.resolve(".cache/sofas"))) {
@@ -149,10 +153,26 @@ public class StartScriptsTest {
 
         assertEquals("gradlew: fetching https://services.gradle.org/distributions/gradle-8.11.1-bin.zip\n"
             + "gradlew: neither curl nor wget to fetch it with\n"
-            + "gradlew: the pinned Gradle 8.11.1 is not to be had\n"
-            + "gradlew: installing the packages gradle and openjdk-17-jdk-headless by apt-get\n"
+            + "gradlew: the pinned Gradle 8.11.1 could not be obtained\n"
+            + "gradlew: no Gradle and JDK here can build SOFAS: installing Debian's packages gradle "
+            + "openjdk-17-jdk-headless by apt-get (SOFAS_NO_INSTALL=1 forbids it)\n"
             + "gradlew: Gradle 8.5 in " + gradle + " on JDK 17 in " + java + "\n", result.err);
         assertEquals("installed test\n", result.out);
+    }
+
+    @Test
+    public void installsNothingWhereTheUserForbidsIt() throws Exception {
+        environment.put("JAVA_HOME", installJava("jdk-17", "17.0.15").toString());
+        environment.put("SOFAS_NO_INSTALL", "1");
+        script(root.resolve("bin/id"), "echo 0");
+        script(root.resolve("bin/apt-get"), ": >'" + root.resolve("installed") + "'");
+
+        Result result = run("gradlew", "test");
+
+        assertEquals("gradlew: SOFAS_NO_INSTALL forbids to install gradle openjdk-17-jdk-headless by apt-get",
+            result.err.split("\n")[3]);
+        assertFalse("apt-get was called", Files.exists(root.resolve("installed")));
+        assertEquals(1, result.code);
     }
 
     @Test
@@ -165,13 +185,13 @@ public class StartScriptsTest {
         Result result = runScript(link, "run", "two words");
 
         assertEquals("", result.err);
-        assertEquals("-XX:+UseSerialGC\n--enable-native-access=ALL-UNNAMED\n-cp\n" + project + "/build/install/lib/*\n"
+        assertEquals("-XX:+UseSerialGC\n--enable-native-access=ALL-UNNAMED\n-cp\n" + program + "/lib/*\n"
             + "io.github.sofas.cli.Main\nrun\ntwo words\n", result.out);
         assertEquals(7, result.code);
     }
 
     @Test
-    public void keepsTheClassesAsJavaHoldsThemOnceABuild() throws Exception {
+    public void keepsTheClassesAsJavaHoldsThemOnce() throws Exception {
         Path java = installJava("jdk-21", "21.0.2");
         Path calls = root.resolve("calls");
         // keeps classes where it is asked to, in a file that is not to be written, as Java does
@@ -181,18 +201,14 @@ public class StartScriptsTest {
         markBuilt();
         run("sofas", "info", "two words");
         run("sofas", "info");
-        Files.setLastModifiedTime(project.resolve("build/install/built"),
-            FileTime.fromMillis(System.currentTimeMillis()));
-        run("sofas", "info");
 
-        String lib = " -cp " + project + "/build/install/lib/* io.github.sofas.cli.Main ";
-        String options = "-XX:+UseSerialGC --enable-native-access=ALL-UNNAMED -XX:SharedArchiveFile=" + project
-            + "/build/install/classes.jsa -Xlog:cds*=off";
+        String lib = " -cp " + program + "/lib/* io.github.sofas.cli.Main ";
+        String options = "-XX:+UseSerialGC --enable-native-access=ALL-UNNAMED -XX:SharedArchiveFile=" + program
+            + "/lib/classes.jsa -Xlog:cds*=off";
         List<String> lines = Files.readAllLines(calls);
-        assertEquals(List.of(options + lib + "info two words", options + lib + "info", options + lib + "info"),
-            List.of(lines.get(1), lines.get(2), lines.get(4)));
-        String keeping = "-XX:+UseSerialGC -XX:ArchiveClassesAtExit=" + project + "/build/install/classes.jsa.";
-        assertEquals(List.of(0, 3), IntStream.range(0, lines.size())
+        assertEquals(List.of(options + lib + "info two words", options + lib + "info"), lines.subList(1, 3));
+        String keeping = "-XX:+UseSerialGC -XX:ArchiveClassesAtExit=" + program + "/lib/classes.jsa.";
+        assertEquals(List.of(0), IntStream.range(0, lines.size())
             .filter(i -> lines.get(i).startsWith(keeping) && lines.get(i).contains(lib + "render ")).boxed().toList());
     }
 
@@ -219,7 +235,8 @@ public class StartScriptsTest {
         markBuilt();
         Files.writeString(project.resolve("src/main/New.java"), "");
 
-        assertEquals("sofas: building (the first time takes a minute)\ngradlew -q install\n", run("sofas", "run").err);
+        assertEquals("sofas: building (the first time takes a minute)\ngradlew -q installDist\n",
+            run("sofas", "run").err);
         assertEquals("", run("sofas", "run").err);
     }
 
@@ -289,7 +306,11 @@ public class StartScriptsTest {
                 Files.setLastModifiedTime(file, hourAgo);
             }
         }
-        Files.createDirectories(project.resolve("build/install/lib"));
+        for (String name : List.of("bin/sofas", "lib/jdk.sh")) {
+            Path file = program.resolve(name);
+            Files.createDirectories(file.getParent());
+            Files.copy(name.startsWith("bin") ? Path.of("src/main/dist", name) : Path.of("gradle/jdk.sh"), file);
+        }
         Files.createFile(project.resolve("build/install/built"));
         Files.setLastModifiedTime(project.resolve("build/install/built"),
             FileTime.fromMillis(hourAgo.toMillis() + TimeUnit.MINUTES.toMillis(1)));
