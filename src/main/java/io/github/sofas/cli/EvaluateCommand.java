@@ -3,6 +3,8 @@ package io.github.sofas.cli;
 import io.github.sofas.evaluate.EvaluationOptions;
 import io.github.sofas.evaluate.EvaluationReport;
 import io.github.sofas.evaluate.EvaluationRun;
+import io.github.sofas.evaluate.SharpnessReport;
+import io.github.sofas.evaluate.SharpnessRun;
 import io.github.sofas.evaluate.TruthCsvReader;
 import io.github.sofas.evaluate.TruthException;
 import io.github.sofas.event.EventSourceException;
@@ -26,12 +28,15 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Holds a method's flow and segments against the truth of every event. */
+/** Holds a method's flow and segments against the truth of every event, or measures how sharp the flow is. */
 @Command(name = "evaluate", sortOptions = false,
-    customSynopsis = "sofas evaluate [OPTION]... --truth FILE RECORDING",
+    customSynopsis = "sofas evaluate [OPTION]... [--truth FILE] RECORDING",
     description = {"Say how right flow and segments of a recording are, against the truth of every event.",
         "The truth is a CSV file with the columns " + TruthCsvReader.HEADER + ", one line for each event of the "
-        + "recording; object 0 is noise. Figures are printed; --json and --csv write them for programs."},
+        + "recording; object 0 is noise. Figures are printed; --json and --csv write them for programs.",
+        "Without a truth, say how sharp the flow makes the picture: variance of the events moved along their flow "
+        + "over that of the events as they are, beside the best single translation of each window. A gain of 1 is as "
+        + "good as that; below 0 the flow blurs."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:evaluated", "1:the recording is damaged, or it or its truth cannot be used", "2:wrong usage"})
 final class EvaluateCommand implements Callable<Integer> {
@@ -41,13 +46,14 @@ final class EvaluateCommand implements Callable<Integer> {
     @Parameters(paramLabel = "RECORDING", description = "A recording.")
     private String argument;
 
-    @Option(names = "--truth", paramLabel = "FILE", required = true, description = "Truth of its events.")
+    @Option(names = "--truth", paramLabel = "FILE",
+        description = "Truth of its events; without it sharpness is measured.")
     private Path truth;
 
-    @Option(names = "--skip-first-share", paramLabel = "SHARE", defaultValue = "0.15",
-        description = "Share of the recording's time, at its beginning, that does not count; 0 to below 1; default: "
-            + "${DEFAULT-VALUE}.")
-    private double skipFirstShare;
+    @Option(names = "--skip-first-share", paramLabel = "SHARE",
+        description = "With --truth: share of the recording's time, at its beginning, that does not count; 0 to below "
+            + "1; default: " + EvaluationOptions.DEFAULT_SKIP_FIRST_SHARE + ".")
+    private Double skipFirstShare;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the figures as JSON.")
     private Path json;
@@ -75,29 +81,54 @@ final class EvaluateCommand implements Callable<Integer> {
         EvaluationOptions options = options();
         Path recording = recording();
         checkFiles();
-        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions());
-             TruthCsvReader truthReader = TruthCsvReader.open(truth)) {
-            EvaluationRun run = EvaluationRun.of(reader, truthReader, method.make(reader.sensor(), ended -> { }),
-                options);
-            EvaluationReport report = new EvaluationReport(Version.text(), recording.toString(), truth.toString(),
-                method.method(), method.preset(), method.parameters(), run);
-            write(report);
-            spec.commandLine().getOut().print(report.text());
+        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
+            EventSourceException damage = truth == null ? measure(recording, reader, method)
+                : holdAgainstTruth(recording, reader, method, options);
             reader.faults().forEach(err::println);
-            if (run.damage() != null) {
-                err.println(run.damage().getMessage());
+            if (damage != null) {
+                err.println(damage.getMessage());
                 return Main.FAILED;
             }
             return Main.OK;
         } catch (EventSourceException | TruthException e) {
             err.println(e.getMessage());
         } catch (IOException e) {
-            err.println("[" + truth.getFileName() + "] truth cannot be read or results cannot be written: " + e);
+            err.println((truth == null ? "" : "[" + truth.getFileName() + "] truth cannot be read or ")
+                + "results cannot be written: " + e);
         }
         return Main.FAILED;
     }
 
+    private EventSourceException holdAgainstTruth(Path recording, RecordingReader reader, MethodChoice method,
+                                                  EvaluationOptions options) throws TruthException, IOException {
+        try (TruthCsvReader truthReader = TruthCsvReader.open(truth)) {
+            EvaluationRun run = EvaluationRun.of(reader, truthReader, method.make(reader.sensor(), ended -> { }),
+                options);
+            EvaluationReport report = new EvaluationReport(Version.text(), recording.toString(), truth.toString(),
+                method.method(), method.preset(), method.parameters(), run);
+            write(report::writeJson, report::writeCsv);
+            spec.commandLine().getOut().print(report.text());
+            return run.damage();
+        }
+    }
+
+    private EventSourceException measure(Path recording, RecordingReader reader, MethodChoice method)
+            throws IOException {
+        SharpnessRun run = SharpnessRun.of(reader, method.make(reader.sensor(), ended -> { }));
+        SharpnessReport report = new SharpnessReport(Version.text(), recording.toString(), method.method(),
+            method.preset(), method.parameters(), run);
+        write(report::writeJson, report::writeCsv);
+        spec.commandLine().getOut().print(report.text());
+        return run.damage();
+    }
+
     private EvaluationOptions options() {
+        if (skipFirstShare == null) {
+            return EvaluationOptions.defaults();
+        }
+        if (truth == null) {
+            throw usage("--skip-first-share goes with --truth: sharpness counts the whole recording");
+        }
         try {
             return EvaluationOptions.defaults().withSkipFirstShare(skipFirstShare);
         } catch (IllegalArgumentException e) {
@@ -118,7 +149,7 @@ final class EvaluateCommand implements Callable<Integer> {
     }
 
     private void checkFiles() {
-        if (!Files.exists(truth)) {
+        if (truth != null && !Files.exists(truth)) {
             throw usage("[" + truth + "] no such file");
         }
         if (!force) {
@@ -132,16 +163,21 @@ final class EvaluateCommand implements Callable<Integer> {
         return new ParameterException(spec.commandLine(), message);
     }
 
-    private void write(EvaluationReport report) throws IOException {
+    /** Writes figures in one form. */
+    private interface Form {
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    private void write(Form asJson, Form asCsv) throws IOException {
         try (ResultFiles results = new ResultFiles()) {
             if (json != null) {
                 try (OutputStream file = results.create(json)) {
-                    report.writeJson(file);
+                    asJson.writeTo(file);
                 }
             }
             if (csv != null) {
                 try (OutputStream file = results.create(csv)) {
-                    report.writeCsv(file);
+                    asCsv.writeTo(file);
                 }
             }
             results.commit();

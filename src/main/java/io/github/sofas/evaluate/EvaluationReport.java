@@ -86,7 +86,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         text.append('\n');
         for (String figure : columns.get(0).figures.keySet()) {
             text.append(String.format(Locale.ROOT, "%-" + NAME_WIDTH + "s", "  " + figure.replace('_', ' ')));
-            columns.forEach(column -> cell(text, shortText(column.figures.get(figure))));
+            columns.forEach(column -> cell(text, NamedFigures.shortText(column.figures.get(figure))));
             text.append('\n');
         }
     }
@@ -104,7 +104,7 @@ public record EvaluationReport(String version, String recording, String truth, S
                 for (String figure : figures.keySet()) {
                     if (!figure.equals("until_ms")) {
                         cell(text, figure.equals("from_ms") ? NamedFigures.text(figures.get(figure), 0)
-                                : shortText(figures.get(figure)));
+                                : NamedFigures.shortText(figures.get(figure)));
                     }
                 }
                 text.append('\n');
@@ -114,10 +114,6 @@ public record EvaluationReport(String version, String recording, String truth, S
 
     private static void cell(StringBuilder text, String value) {
         text.append(String.format(Locale.ROOT, " %" + (COLUMN_WIDTH - 1) + "s", value));
-    }
-
-    private static String shortText(Number value) {
-        return value == null ? "-" : NamedFigures.text(value, 3);
     }
 
     /**
@@ -147,8 +143,7 @@ public record EvaluationReport(String version, String recording, String truth, S
 
     private static void lines(StringBuilder csv, String section, List<Column> columns) {
         for (Column column : columns) {
-            column.figures.forEach((figure, value) -> csv.append(section).append(',').append(column.of).append(',')
-                    .append(figure).append(',').append(value == null ? "" : NamedFigures.text(value)).append('\n'));
+            NamedFigures.appendCsv(csv, section, column.of, column.figures);
         }
     }
 
@@ -167,41 +162,26 @@ public record EvaluationReport(String version, String recording, String truth, S
             json.writeBooleanField("complete", run.damage() == null);
             json.writeStringField("method", method);
             json.writeStringField("preset", preset);
-            json.writeObjectFieldStart("parameters");
-            for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
-                json.writeFieldName(parameter.getKey());
-                writeParameter(json, parameter.getValue());
-            }
-            json.writeEndObject();
+            NamedFigures.writeParameters(json, parameters);
             json.writeNumberField("events", evaluation.events());
             json.writeNumberField("events_counted", evaluation.eventsCounted());
             json.writeFieldName("skip_first_share");
-            writeFigure(json, evaluation.options().skipFirstShare());
+            NamedFigures.write(json, evaluation.options().skipFirstShare());
             json.writeNumberField("window_us", evaluation.options().windowUs());
             json.writeFieldName("method_seconds");
-            writeFigure(json, run.methodSeconds());
+            NamedFigures.write(json, run.methodSeconds());
             json.writeFieldName("flow");
             writeColumns(json, flow(evaluation));
             json.writeFieldName("noise");
-            writeFigures(json, NamedFigures.noise(evaluation));
+            NamedFigures.write(json, NamedFigures.noise(evaluation));
             json.writeFieldName("segmentation");
             writeColumns(json, segmentation(evaluation));
             json.writeArrayFieldStart("convergence");
             for (Column bin : convergence(evaluation)) {
-                writeFigures(json, bin.figures);
+                NamedFigures.write(json, bin.figures);
             }
             json.writeEndArray();
             json.writeEndObject();
-        }
-    }
-
-    private static void writeParameter(JsonGenerator json, Object value) throws IOException {
-        if (value instanceof Number) {
-            json.writeNumber(value.toString());
-        } else if (value instanceof Boolean) {
-            json.writeBoolean((Boolean) value);
-        } else {
-            json.writeString(value.toString());
         }
     }
 
@@ -210,25 +190,8 @@ public record EvaluationReport(String version, String recording, String truth, S
         json.writeStartObject();
         for (Column column : columns) {
             json.writeFieldName(column.of);
-            writeFigures(json, column.figures);
+            NamedFigures.write(json, column.figures);
         }
         json.writeEndObject();
-    }
-
-    private static void writeFigures(JsonGenerator json, Map<String, Number> figures) throws IOException {
-        json.writeStartObject();
-        for (Map.Entry<String, Number> figure : figures.entrySet()) {
-            json.writeFieldName(figure.getKey());
-            writeFigure(json, figure.getValue());
-        }
-        json.writeEndObject();
-    }
-
-    private static void writeFigure(JsonGenerator json, Number value) throws IOException {
-        if (value == null) {
-            json.writeNull();
-        } else {
-            json.writeNumber(NamedFigures.text(value));
-        }
     }
 }

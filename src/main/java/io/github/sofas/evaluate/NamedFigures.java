@@ -1,5 +1,7 @@
 package io.github.sofas.evaluate;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.LinkedHashMap;
@@ -76,6 +78,35 @@ final class NamedFigures {
         return figures;
     }
 
+    static Map<String, Number> sharpness(Sharpness sharpness) {
+        Map<String, Number> figures = new LinkedHashMap<>();
+        figures.put("windows", sharpness.windows().size());
+        sharpness(figures, sharpness.events(), sharpness.eventsWithFlow(), sharpness.sharpness(),
+                sharpness.translationSharpness());
+        return figures;
+    }
+
+    static Map<String, Number> sharpness(SharpnessWindow window) {
+        Map<String, Number> figures = new LinkedHashMap<>();
+        figures.put("from_us", window.fromUs());
+        figures.put("until_us", window.untilUs());
+        sharpness(figures, window.events(), window.eventsWithFlow(), window.sharpness(),
+                window.translationSharpness());
+        figures.put("translation_vx_px_per_s", window.translationVxPxPerS());
+        figures.put("translation_vy_px_per_s", window.translationVyPxPerS());
+        return figures;
+    }
+
+    private static void sharpness(Map<String, Number> figures, long events, long eventsWithFlow, double sharpness,
+                                  double translationSharpness) {
+        figures.put("events", events);
+        figures.put("share_with_flow", of(FlowFigures.share(eventsWithFlow, events), events));
+        figures.put("sharpness", sharpness);
+        figures.put("translation_sharpness", translationSharpness);
+        figures.put("gain", Sharpness.hasGain(translationSharpness)
+                ? (Number) Sharpness.gain(sharpness, translationSharpness) : null);
+    }
+
     private static Number of(double value, long count) {
         return count == 0 ? null : value;
     }
@@ -96,5 +127,51 @@ final class NamedFigures {
     /** As CSV and JSON have it. */
     static String text(Number value) {
         return text(value, DECIMALS);
+    }
+
+    /** As tables for people have it. */
+    static String shortText(Number value) {
+        return value == null ? "-" : text(value, 3);
+    }
+
+    /** Appends one line a figure: section, of, figure, value. */
+    static void appendCsv(StringBuilder csv, String section, String of, Map<String, Number> figures) {
+        figures.forEach((figure, value) -> csv.append(section).append(',').append(of).append(',').append(figure)
+                .append(',').append(value == null ? "" : text(value)).append('\n'));
+    }
+
+    /** Writes an object with one field a figure. */
+    static void write(JsonGenerator json, Map<String, Number> figures) throws IOException {
+        json.writeStartObject();
+        for (Map.Entry<String, Number> figure : figures.entrySet()) {
+            json.writeFieldName(figure.getKey());
+            write(json, figure.getValue());
+        }
+        json.writeEndObject();
+    }
+
+    static void write(JsonGenerator json, Number value) throws IOException {
+        if (value == null) {
+            json.writeNull();
+        } else {
+            json.writeNumber(text(value));
+        }
+    }
+
+    /** Writes a method's parameters, a Number, Boolean or String each, as the field of that name. */
+    static void writeParameters(JsonGenerator json, Map<String, Object> parameters) throws IOException {
+        json.writeObjectFieldStart("parameters");
+        for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
+            json.writeFieldName(parameter.getKey());
+            Object value = parameter.getValue();
+            if (value instanceof Number) {
+                json.writeNumber(value.toString());
+            } else if (value instanceof Boolean) {
+                json.writeBoolean((Boolean) value);
+            } else {
+                json.writeString(value.toString());
+            }
+        }
+        json.writeEndObject();
     }
 }

@@ -121,6 +121,42 @@ public class EvaluateCommandTest {
         assertError(2, "[" + truth + "] no such file");
     }
 
+    private int measure(String... more) {
+        List<String> arguments = new ArrayList<>(List.of("evaluate", recording.toString()));
+        arguments.addAll(List.of(more));
+        return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments.toArray(new String[0]));
+    }
+
+    @Test
+    public void measuresSharpnessWithoutTruth() throws IOException {
+        Path json = folder.getRoot().toPath().resolve("sharpness.json");
+        Path csv = folder.getRoot().toPath().resolve("sharpness.csv");
+        assertEquals(0, measure("--method", "local-planes", "--json", json.toString(), "--csv", csv.toString()));
+        String[] text = out.toString().split("\n");
+        assertEquals(recording + ": 40 events, 1 windows, 0.0 % with flow", text[0]);
+        assertTrue(text[2], text[2].startsWith("sharpness 1.000, best single translation "));
+        assertEquals(6, text.length);
+        assertTrue(Files.readString(json).contains("\"sharpness\" : {\n    \"all\" : {\n      \"windows\" : 1,"));
+        assertTrue(Files.readString(csv).startsWith("section,of,figure,value\nsharpness,all,windows,1\n"
+            + "sharpness,all,events,40\n"));
+        assertTrue(Files.readString(csv).contains("\nsharpness,0,until_us,39000\n"));
+    }
+
+    @Test
+    public void measuresADamagedRecordingUpToTheDamage() throws IOException {
+        byte[] bytes = Files.readAllBytes(recording);
+        Files.write(recording, java.util.Arrays.copyOf(bytes, bytes.length - 3));
+        assertEquals(1, measure());
+        assertTrue(out.toString(), out.toString().contains(": 39 events, "));
+        assertTrue(err.toString(), err.toString().startsWith("[edge.aedat] event 39 at byte "));
+    }
+
+    @Test
+    public void refusesAShareToSkipWithoutTruth() {
+        assertEquals(2, measure("--skip-first-share", "0.1"));
+        assertTrue(err.toString(), err.toString().startsWith("--skip-first-share goes with --truth"));
+    }
+
     @Test
     public void refusesAShareOfOne() {
         assertError(2, "--skip-first-share must be at least 0 and below 1 but was 1.0", "--skip-first-share", "1");

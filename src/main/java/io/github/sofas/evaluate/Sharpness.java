@@ -1,0 +1,153 @@
+package io.github.sofas.evaluate;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How sharp flow makes the picture of a recording, where no truth is known: the flow warp loss of Stoffregen et al.,
+ * "Reducing the sim-to-real gap for event cameras", ECCV 2020.
+ *
+ * <p>Time is cut into windows without gaps. A window ends with the event that makes it {@value #EVENTS_PER_PX} events a
+ * pixel of the sensor and at least {@value #SHORTEST_US} µs, or before the event that would make it
+ * {@value #LONGEST_US} µs; the last one ends with the recording. In a window three pictures are made of all its events,
+ * each by counting, for every pixel of the sensor, the events of either polarity that are nearest to it: the events
+ * where they were; each event moved along its own flow to the middle between the window's first and last event (events
+ * without flow stay, and events that leave the sensor are not seen); and all events moved along one velocity, the best
+ * that a search finds. Each picture is blurred with a Gaussian of 1 px, else edges that slide along themselves would
+ * look sharper, and its variance is taken over all pixels of the sensor.
+ * <pre>
+ *   sharpness              variance of the events moved along their flow / variance of the events as they are
+ *   ... of a translation   variance of the events moved along the best single velocity / the same
+ *   gain                   (sharpness - 1) / (sharpness of the best single translation - 1)
+ * </pre>
+ * Figures of the whole recording are those formulas with the variances summed over the windows; a busy window weighs
+ * more, and a few events of noise next to nothing. A gain of 1 is as good as one velocity for the whole picture that
+ * was chosen with knowledge of the window's future; below 0 the flow blurs the picture.
+ *
+ * @param windows every window, in order
+ */
+public record Sharpness(List<SharpnessWindow> windows) {
+    /** Events a pixel of the sensor that fill a window. */
+    public static final double EVENTS_PER_PX = 0.2;
+    /** Least time of a window in µs. */
+    public static final long SHORTEST_US = 20_000;
+    /** Time that no window reaches, in µs. */
+    public static final long LONGEST_US = 300_000;
+    /** A single translation that sharpens by less has no gain to be held against. */
+    public static final double LEAST_TRANSLATION_GAIN = 0.001;
+
+    /** Makes the list immutable. */
+    public Sharpness {
+        windows = List.copyOf(windows);
+    }
+
+    /** Sharpness of the flow; 1 where there is no variance. */
+    public double sharpness() {
+        return ratio(movedVariance(), variance());
+    }
+
+    /** Sharpness of the best single translation of each window, at least 1. */
+    public double translationSharpness() {
+        return ratio(translatedVariance(), variance());
+    }
+
+    /** Whether the best single translations sharpen the picture enough for a gain. */
+    public boolean hasGain() {
+        return hasGain(translationSharpness());
+    }
+
+    /** Gain of the flow over the best single translation; means something only where {@link #hasGain}. */
+    public double gain() {
+        return gain(sharpness(), translationSharpness());
+    }
+
+    /** How many events there are. */
+    public long events() {
+        return windows.stream().mapToLong(SharpnessWindow::events).sum();
+    }
+
+    /** How many of them have flow. */
+    public long eventsWithFlow() {
+        return windows.stream().mapToLong(SharpnessWindow::eventsWithFlow).sum();
+    }
+
+    /** Share of the events that have flow. */
+    public double shareWithFlow() {
+        return FlowFigures.share(eventsWithFlow(), events());
+    }
+
+    private double variance() {
+        return windows.stream().mapToDouble(SharpnessWindow::variance).sum();
+    }
+
+    private double movedVariance() {
+        return windows.stream().mapToDouble(SharpnessWindow::movedVariance).sum();
+    }
+
+    private double translatedVariance() {
+        return windows.stream().mapToDouble(SharpnessWindow::translatedVariance).sum();
+    }
+
+    static double ratio(double variance, double of) {
+        return of == 0 ? 1 : variance / of;
+    }
+
+    static boolean hasGain(double translationSharpness) {
+        return translationSharpness - 1 >= LEAST_TRANSLATION_GAIN;
+    }
+
+    static double gain(double sharpness, double translationSharpness) {
+        return hasGain(translationSharpness) ? (sharpness - 1) / (translationSharpness - 1) : 0;
+    }
+
+    /** Measures a recording while it is labelled, window by window, in memory for one window. */
+    public static final class Gatherer {
+        private final int eventsOfFullWindow;
+        private final EventPicture picture;
+        private final SingleTranslation translation;
+        private final MovedEvents window = new MovedEvents();
+        private final List<SharpnessWindow> windows = new ArrayList<>();
+
+        /** Makes one for a sensor. */
+        public Gatherer(SensorSize sensor) {
+            eventsOfFullWindow = (int) Math.ceil(EVENTS_PER_PX * sensor.width() * sensor.height());
+            picture = new EventPicture(sensor);
+            translation = new SingleTranslation(sensor);
+        }
+
+        /** Adds a batch and what a method said of it; the windows do not depend on how events are cut into batches. */
+        public void add(EventBatch batch, FlowOutput flow) {
+            for (int i = 0; i < batch.size(); i++) {
+                if (window.size() > 0 && batch.timeUs[i] - window.firstUs() >= LONGEST_US) {
+                    endWindow();
+                }
+                window.add(batch, flow, i);
+                if (window.size() >= eventsOfFullWindow && window.lastUs() - window.firstUs() >= SHORTEST_US) {
+                    endWindow();
+                }
+            }
+        }
+
+        private void endWindow() {
+            window.drawAsTheyAre(picture);
+            double variance = picture.variance();
+            window.drawMoved(picture);
+            double movedVariance = picture.variance();
+            translation.find(window);
+            windows.add(new SharpnessWindow(window.firstUs(), window.lastUs(), window.size(), window.withFlow(),
+                variance, movedVariance, translation.variance(), translation.vxPxPerS(), translation.vyPxPerS()));
+            window.clear();
+        }
+
+        /** Ends the last window and gives the figures; nothing can be added after. */
+        public Sharpness sharpness() {
+            if (window.size() > 0) {
+                endWindow();
+            }
+            return new Sharpness(windows);
+        }
+    }
+}
