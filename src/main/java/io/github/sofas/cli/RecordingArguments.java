@@ -27,7 +27,8 @@ final class RecordingArguments {
      * What a directory is searched for. Text recordings are not among it, because notes and results are text too: they
      * are named one by one or by a pattern.
      */
-    static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat");
+    static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat", "raw", "es",
+        "bin");
 
     private static final String WILDCARDS = "*?[{";
     /** What stands in an argument for bytes that are no characters. */

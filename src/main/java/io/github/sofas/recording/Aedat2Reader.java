@@ -249,8 +249,4 @@ final class Aedat2Reader extends RecordingReader {
         time = raw + wrapUs;
         return time >= lastTimeUs ? time : stepBack(time, eventNumber(n), offsetOf(p));
     }
-
-    private long offsetOf(int p) {
-        return file.offset() - file.position + p;
-    }
 }

@@ -199,8 +199,4 @@ final class Aedat3Reader extends RecordingReader {
                 break;
         }
     }
-
-    private long offsetOf(int p) {
-        return file.offset() - file.position + p;
-    }
 }

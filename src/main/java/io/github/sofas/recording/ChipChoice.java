@@ -37,11 +37,12 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
     /**
      * Chooses for a format that may hold the size itself; its chip name need not be a known one then.
      *
+     * @param headerOffset where the header is that says it
      * @param width columns as the header writes them, or null
      * @param height rows likewise
      */
-    static ChipChoice withOwnSize(String fileName, String headerChip, String width, String height, String optionChip)
-            throws EventSourceException {
+    static ChipChoice withOwnSize(String fileName, long headerOffset, String headerChip, String width, String height,
+                                  String optionChip) throws EventSourceException {
         if (width == null || height == null) {
             return choose(fileName, headerChip, optionChip, OR_SIZE);
         }
@@ -49,7 +50,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         try {
             sensor = new SensorSize(Integer.parseInt(width), Integer.parseInt(height));
         } catch (IllegalArgumentException e) {
-            throw new MalformedRecordingException("[" + fileName + "] header at byte " + Aedat4Format.MAGIC_BYTES
+            throw new MalformedRecordingException("[" + fileName + "] header at byte " + headerOffset
                     + ": unsupported, the sensor must measure "
                     + "1x1 to " + SensorSize.MAX_WIDTH + "x" + SensorSize.MAX_HEIGHT + " but was " + width + "x"
                     + height, e);

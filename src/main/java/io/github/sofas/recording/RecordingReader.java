@@ -235,6 +235,11 @@ public abstract class RecordingReader implements EventSource {
                 : "y must be smaller than height " + sensor.height() + " but was " + y));
     }
 
+    /** Where in the file a place of its buffer lies. */
+    final long offsetOf(int p) {
+        return file.offset() - file.position + p;
+    }
+
     /** Makes the exception for damage at a place. */
     final MalformedRecordingException malformed(long event, long offset, String rule) {
         return new MalformedRecordingException(at(event, offset) + rule);

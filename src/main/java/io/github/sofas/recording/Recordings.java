@@ -23,7 +23,7 @@ public final class Recordings {
 
     /**
      * Opens a recording: by the magic at its start, and where it has none by the file's extension ({@code .dat} and
-     * {@code .aedat} are AEDAT 1.0, {@code .txt} is text).
+     * {@code .aedat} are AEDAT 1.0, {@code .bin} is N-MNIST, {@code .txt} is text).
      *
      * @return a reader before the first event, to be closed by the caller
      * @throws MalformedRecordingException where the header is damaged or the format is not served
@@ -59,15 +59,7 @@ public final class Recordings {
             throws IOException, EventSourceException {
         String version = aedatVersion(file);
         if (version == null) {
-            String lower = file.name.toLowerCase(Locale.ROOT);
-            if (lower.endsWith(".dat") || lower.endsWith(".aedat")) {
-                version = "1.0";
-            } else if (lower.endsWith(".txt")) {
-                return new TextReader(file, options, ChipChoice.withSize(file.name, null, options.chip()));
-            } else {
-                throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, a recording "
-                        + "must start with #!AER-DAT or have the extension .aedat, .dat or .txt");
-            }
+            return withoutAedatMagic(file, options);
         }
         switch (version) {
             case "1.0":
@@ -83,6 +75,72 @@ public final class Recordings {
                 throw new MalformedRecordingException("[" + file.name + "] header at byte 9: unsupported, the AEDAT "
                         + "version must be one of 1.0, 2.0, 3.0, 3.1, 4.0 but was \"" + version + "\"");
         }
+    }
+
+    private static RecordingReader withoutAedatMagic(RecordingFile file, RecordingOptions options)
+            throws IOException, EventSourceException {
+        if (startsWith(file, EventStreamReader.MAGIC)) {
+            return EventStreamReader.open(file, options);
+        }
+        if (PropheseeHeader.startsAt(file)) {
+            return prophesee(file, options);
+        }
+        ForeignFormat foreign = ForeignFormat.at(file.buffer, file.position, file.limit);
+        if (foreign != null) {
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, it is "
+                    + foreign.name() + "; " + foreign.remedy());
+        }
+        String lower = file.name.toLowerCase(Locale.ROOT);
+        if (lower.endsWith(".dat") || lower.endsWith(".aedat")) {
+            return aedat2(file, options, "AEDAT 1.0", Aedat2Format.RECORD_BYTES_1);
+        }
+        if (lower.endsWith(NMnistReader.EXTENSION)) {
+            return new NMnistReader(file, options, ChipChoice.withSize(file.name, null, options.chip()));
+        }
+        if (lower.endsWith(".txt")) {
+            return new TextReader(file, options, ChipChoice.withSize(file.name, null, options.chip()));
+        }
+        boolean isCut = file.available() < EventStreamReader.MAGIC.length;
+        throw new MalformedRecordingException("[" + file.name + "] header at byte 0: "
+                + (isCut ? "truncated" : "unsupported") + ", a recording must begin as a known format does or have the "
+                + "extension .aedat, .dat, .bin or .txt"
+                + (isCut ? " but ended after " + file.available() + " bytes" : ""));
+    }
+
+    /** RAW and DAT have one kind of header; each says something that the other never does. */
+    private static RecordingReader prophesee(RecordingFile file, RecordingOptions options)
+            throws IOException, EventSourceException {
+        PropheseeHeader header = PropheseeHeader.read(file);
+        ChipChoice choice = ChipChoice.withOwnSize(file.name, 0, null, header.width(), header.height(),
+                options.chip());
+        String encoding = header.encoding();
+        boolean isDat = encoding == null && (header.hasOneOf("version", "data")
+                || file.name.toLowerCase(Locale.ROOT).endsWith(".dat"));
+        RecordingReader reader = isDat ? DatReader.open(file, options, header, choice)
+                : evt(file, options, header, encoding, choice);
+        choice.reportTo(reader);
+        return reader;
+    }
+
+    private static RecordingReader evt(RecordingFile file, RecordingOptions options, PropheseeHeader header,
+                                       String encoding, ChipChoice choice) throws MalformedRecordingException {
+        switch (String.valueOf(encoding)) {
+            case "EVT2":
+                return new Evt2Reader(file, options, choice);
+            case "EVT21":
+                return new Evt21Reader(file, options, header.isLegacyEvt21(), choice);
+            case "EVT3":
+                return new Evt3Reader(file, options, choice);
+            default:
+                throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the encoding "
+                        + "must be one of EVT2, EVT21, EVT3 but " + (encoding == null ? "the header does not say it"
+                        : "was " + Printable.shortened(encoding)));
+        }
+    }
+
+    private static boolean startsWith(RecordingFile file, byte[] magic) throws IOException {
+        return file.require(magic.length) && Arrays.equals(file.buffer, file.position, file.position + magic.length,
+                magic, 0, magic.length);
     }
 
     private static RecordingReader aedat2(RecordingFile file, RecordingOptions options, String formatName,
@@ -121,8 +179,8 @@ public final class Recordings {
         for (Map.Entry<Integer, Aedat4Header.Stream> entry : header.streams().entrySet()) {
             Aedat4Header.Stream stream = entry.getValue();
             if (Aedat4Format.EVENTS.equals(stream.type())) {
-                ChipChoice choice = ChipChoice.withOwnSize(file.name, stream.chip(), stream.width(), stream.height(),
-                        options.chip());
+                ChipChoice choice = ChipChoice.withOwnSize(file.name, Aedat4Format.MAGIC_BYTES, stream.chip(),
+                        stream.width(), stream.height(), options.chip());
                 RecordingReader reader = new Aedat4Reader(file, options, header, entry.getKey(), choice);
                 choice.reportTo(reader);
                 return reader;

@@ -174,8 +174,8 @@ public class InfoCommandTest {
     public void goesOnAfterARecordingThatCannotBeRead() throws IOException {
         Path strange = Files.writeString(root.resolve("strange.aedat4"), "no recording");
         Executed info = Executed.command("info", strange.toString(), recording.toString());
-        assertEquals("[strange.aedat4] header at byte 0: unsupported, a recording must start with #!AER-DAT or have "
-            + "the extension .aedat, .dat or .txt\n", info.err);
+        assertEquals("[strange.aedat4] header at byte 0: unsupported, a recording must begin as a known format "
+            + "does or have the extension .aedat, .dat, .bin or .txt\n", info.err);
         assertEquals(recording.toString(), info.out.lines().findFirst().orElse(""));
         assertEquals(1, info.exitCode);
     }

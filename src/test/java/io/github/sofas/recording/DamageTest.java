@@ -52,6 +52,10 @@ public class DamageTest {
         all.put("davis.aedat", ReaderFuzz.Aedat2Davis.seeds());
         all.put("3.aedat", ReaderFuzz.Aedat3.seeds());
         all.put("4.aedat4", ReaderFuzz.Aedat4.seeds());
+        all.put("a.raw", ReaderFuzz.Evt.seeds());
+        all.put("b.dat", ReaderFuzz.Dat.seeds());
+        all.put("a.es", ReaderFuzz.EventStream.seeds());
+        all.put("a.bin", ReaderFuzz.NMnist.seeds());
         all.put("a.txt", ReaderFuzz.Text.seeds());
         return all;
     }
@@ -81,7 +85,8 @@ public class DamageTest {
                     unnamed += named ? 0 : 1;
                 }
                 // where a record, a packet or a line ends, nothing is missing
-                int mostUnnamed = name.endsWith(".txt") ? 18 : whole.length / (name.startsWith("3") ? 28 : 6);
+                int mostUnnamed = name.endsWith(".txt") ? 18
+                    : whole.length / (name.startsWith("3") ? 28 : name.endsWith(".raw") ? 2 : 5);
                 assertTrue(name + ": " + unnamed, unnamed <= mostUnnamed);
                 assertEquals(name, all.size(), read(name, whole, options).events.size());
             }

@@ -240,6 +240,79 @@ public final class ReaderFuzz {
         }
     }
 
+    /** Prophesee's RAW, versions 2.0, 2.1 and 3.0. */
+    public static final class Evt {
+        private Evt() {
+        }
+
+        /** Called by the fuzzer. */
+        public static void fuzzerTestOneInput(byte[] data) {
+            read("a.raw", data, RecordingOptions.defaults().withChip("640x480").withStrict(data.length % 2 == 1));
+        }
+
+        /** Valid inputs to start from. */
+        public static List<byte[]> seeds() {
+            return List.of(
+                join("% evt 2.0\n% geometry 640x480\n% end\n", words(ByteOrder.LITTLE_ENDIAN, 0x80D9D8D0, 0x100119BB,
+                    0x100121BB, 0xA0000000, 0xE0000000, 0xF0000000, 0x8FFFFFFF, 0x00000001)),
+                join("% format EVT21;height=480;width=640\n", words(ByteOrder.LITTLE_ENDIAN, 0, 0x80000001, 0x80000003,
+                    0x12410005, -1, 0x02410006, 0, 0xA0000000, 0, 0xE0000000)),
+                join("% evt 3.0\n% system_ID 49\n", words(ByteOrder.LITTLE_ENDIAN, 0x66E08AAE, 0x29E4013B, 0x309966E1,
+                    0x4002 << 16 | 0x4801, 0x7123 << 16 | 0x5081, 0xE014A100, 0x8000F001, 0x20018FFF)));
+        }
+    }
+
+    /** Prophesee's DAT, versions 1 and 2. */
+    public static final class Dat {
+        private Dat() {
+        }
+
+        /** Called by the fuzzer. */
+        public static void fuzzerTestOneInput(byte[] data) {
+            read("a.dat", data, RecordingOptions.defaults().withChip("304x240").withStrict(data.length % 2 == 1));
+        }
+
+        /** Valid inputs to start from. */
+        public static List<byte[]> seeds() {
+            byte[] events = words(ByteOrder.LITTLE_ENDIAN, 5, 1 << 28 | 9 << 14 | 3, 6, 1, -1, 0, 2, 0);
+            return List.of(join("% Height 480\n% Version 2\n% Width 640\n", new byte[] {12, 8}, events),
+                join("% Data file containing CD events.\n% Version 1\n", new byte[] {0, 8}, events));
+        }
+    }
+
+    /** Event Stream. */
+    public static final class EventStream {
+        private EventStream() {
+        }
+
+        /** Called by the fuzzer. */
+        public static void fuzzerTestOneInput(byte[] data) {
+            read("a.es", data, RecordingOptions.defaults());
+        }
+
+        /** Valid inputs to start from. */
+        public static List<byte[]> seeds() {
+            return List.of(join("Event Stream\2\0\0\1\u0040\1\u00F0\0", new byte[] {1, 0, 0, 9, 0, -1, -2, 6, 0x3F, 1,
+                0, 0, 1, 0, 5, 0, 0, -1}));
+        }
+    }
+
+    /** N-MNIST. */
+    public static final class NMnist {
+        private NMnist() {
+        }
+
+        /** Called by the fuzzer. */
+        public static void fuzzerTestOneInput(byte[] data) {
+            read("a.bin", data, RecordingOptions.defaults().withChip("34x34").withStrict(data.length % 2 == 1));
+        }
+
+        /** Valid inputs to start from. */
+        public static List<byte[]> seeds() {
+            return List.of(new byte[] {7, 15, -128, 2, -114, 19, 18, 0x12, 0, 0x0B, 0, -16, 0, 0, 0, 33, 33, 1, 0, 0});
+        }
+    }
+
     /** The extension and the first bytes, which decide the format. */
     public static final class Detection {
         private Detection() {
@@ -247,7 +320,7 @@ public final class ReaderFuzz {
 
         /** Called by the fuzzer. */
         public static void fuzzerTestOneInput(byte[] data) {
-            String[] names = {"a", "a.dat", "a.aedat", "a.aedat4", "a.txt"};
+            String[] names = {"a", "a.dat", "a.aedat", "a.aedat4", "a.txt", "a.raw", "a.bin"};
             String[] chips = {null, "DVS128", "DAVIS240C", "16x12", "0x0"};
             int choice = data.length == 0 ? 0 : (data[data.length - 1] & 0xFF) % (names.length * chips.length);
             read(names[choice % names.length], data,
@@ -261,6 +334,10 @@ public final class ReaderFuzz {
             seeds.addAll(Aedat3.seeds());
             seeds.addAll(Text.seeds());
             seeds.add(Aedat4.seeds().get(0));
+            seeds.add(Evt.seeds().get(2));
+            seeds.add(Dat.seeds().get(0));
+            seeds.addAll(EventStream.seeds());
+            seeds.add(join("#ROSBAG V2.0\n"));
             return seeds;
         }
     }

@@ -19,6 +19,11 @@ import org.junit.Test;
 public class RealRecordingsTest {
     private static final Path FOLDER = Path.of("..", "shared", "recordings");
 
+    /** Checksums of the same events as faery reads them. */
+    private static final long SPOT = 0xd37a36f6L;
+    private static final long SPARKS = 0xfae28235L;
+    private static final long AEROPLANE = 0xde3619adL;
+
     /** What was read: counts, and a checksum over the events with time from the first event on. */
     private static final class Read {
         final RecordingCounts counts;
@@ -84,6 +89,24 @@ public class RealRecordingsTest {
         Read text = assertFaultless(50_000, "slider-depth.txt", "240x180");
         assertEquals(aedat2.checksum, text.checksum);
         assertEquals(aedat2.firstTimeUs, text.firstTimeUs);
+    }
+
+    /** Counts and checksums are those of faery's decoders (PyPI, 0.7.1). */
+    @Test public void readsPropheseesFormatsAndEventStreamAsFaeryDoes() throws Exception {
+        Read evt3 = assertFaultless(1_218_618, "spot-evt3.raw", null);
+        Read dat = assertFaultless(1_218_618, "spot.dat", null);
+        assertEquals(SPOT, evt3.checksum);
+        assertEquals(SPOT, dat.checksum);
+        assertEquals(11_200_224, evt3.firstTimeUs);
+        assertEquals(5_856, dat.firstTimeUs);
+        assertEquals(SPARKS, assertFaultless(521_252, "sparks-evt2.raw", "640x480").checksum);
+        assertEquals(AEROPLANE, assertFaultless(473_225, "aeroplane.es", null).checksum);
+    }
+
+    @Test public void readsTheDigitsOfNMnist() throws Exception {
+        assertFaultless(4_325, "nmnist.bin", "34x34");
+        assertFaultless(4_681, "nmnist-1.bin", "34x34");
+        assertFaultless(5_028, "nmnist-2.bin", "34x34");
     }
 
     @Test public void reportsTheImuSampleThatTheEndCutsOff() throws Exception {
