@@ -93,8 +93,6 @@ import java.lang.reflect.RecordComponent;
  *     successive windows share most events; {@code default} only)
  * @param bendPx shift at the end of the window by an acceleration or a rotation that may be noise in px, 0 to 10
  *     (ours, because most motion is steady; {@code default} only)
- * @param pathPx path whose bend tells how a structure turns that does not show it in px, 1 to 10,000 (ours, because
- *     what follows a bend turns with it; {@code default} only)
  * @param flatDecay share of the velocity along a straight edge that is dropped at each measurement, 0 to 1 (ours,
  *     because it would drift; {@code default} only)
  * @param maxShared share of events claimed by two track planes above which no change of motion is measured, 0 to 1
@@ -102,22 +100,12 @@ import java.lang.reflect.RecordComponent;
  * @param maxTrackPlanes most track planes at once, 1 to 64 (ours, because memory is to be bounded)
  * @param minShare share of the expected events below which a track plane is removed, 0 to 1 (n of the paper, section
  *     Algorithm, without a number)
- * @param crowdedShare share of the expected events below which a track plane's motion is held while another structure
- *     may hide it, 0 to 1 (ours, because what is left is pulled by what hides it; {@code default} only)
- * @param slowShare share of the expected events below which a track plane is followed by its place, 0 to 1 (ours,
- *     because what slows down, stands or turns round travels too little for its velocity to be seen; {@code default}
- *     only)
- * @param returnShare share of a new structure that must lie on the contour of one that was lost to be that one again,
- *     0 to 1 (ours, because what turns round or stops is still the same; {@code default} only)
  * @param mergeVelocity share of the speed by which two merging track planes may differ, 0 to 1 (ours, because the
  *     paper gives no rule; {@code paper} only)
  * @param mergeLoss share of the metric that two track planes may lose by one common motion, 0 to 1 (ours, because a
  *     straight edge knows only a part of its velocity; {@code default} only)
  * @param mergeGapShare gap between boxes that may merge, as a share of the shorter of their longer sides, 0 to 4
  *     (ours, because the front and the back of an object are one segment; {@code default} only)
- * @param pairGapShare gap between a dark and a bright edge that may merge, as a share of the longer one, 0 to 16
- *     (ours, because the front and the back of a small object are farther apart than they are long; {@code default}
- *     only)
  */
 public record SofasParameters(
     Preset preset,
@@ -218,9 +206,6 @@ public record SofasParameters(
     @Parameter(value = "shift at the end of the window by an acceleration or a rotation that may be noise",
         unit = "px", min = 0, max = 10)
     double bendPx,
-    @Parameter(value = "path whose bend tells how a structure turns that does not show it", unit = "px",
-        min = 1, max = 10_000)
-    double pathPx,
     @Parameter(value = "share of the velocity along a straight edge that is dropped at each measurement",
         min = 0, max = 1)
     double flatDecay,
@@ -231,15 +216,6 @@ public record SofasParameters(
     int maxTrackPlanes,
     @Parameter(value = "share of the expected events below which a track plane is removed", min = 0, max = 1)
     double minShare,
-    @Parameter(value = "share of the expected events below which a motion is held while another structure may hide it",
-        min = 0, max = 1)
-    double crowdedShare,
-    @Parameter(value = "share of the expected events below which a track plane is followed by its place",
-        min = 0, max = 1)
-    double slowShare,
-    @Parameter(value = "share of a new structure that must lie on the contour of a lost one to be that one again",
-        min = 0, max = 1)
-    double returnShare,
     @Parameter(value = "share of the speed by which two merging track planes may differ", min = 0, max = 1)
     double mergeVelocity,
     @Parameter(value = "share of the metric that two track planes may lose by one common motion",
@@ -247,10 +223,7 @@ public record SofasParameters(
     double mergeLoss,
     @Parameter(value = "gap between boxes that may merge, as a share of the shorter of their longer sides",
         min = 0, max = 4)
-    double mergeGapShare,
-    @Parameter(value = "gap between a dark and a bright edge that may merge, as a share of the longer one",
-        min = 0, max = 16)
-    double pairGapShare) {
+    double mergeGapShare) {
 
     /** Which method. */
     public enum Preset {
@@ -274,8 +247,8 @@ public record SofasParameters(
             lifetimePx, maxLifetimePx, maxLifetimeUs, steadyPx, hitShare, minPerturbationDeg,
             maxPerturbationDeg, contourThreshold, contourShare, memoryPx, maxMemoryUs, voteCellPx, sampleEvents,
             sampleDensity, neighbourLoss, minStepPx, maxStepPx, flatSigmas, stiffness, sharedScore, foresight,
-            maxBendPx, flatChange, changePx, changeGain, bendPx, pathPx, flatDecay, maxShared, maxTrackPlanes, minShare,
-            crowdedShare, slowShare, returnShare, mergeVelocity, mergeLoss, mergeGapShare, pairGapShare);
+            maxBendPx, flatChange, changePx, changeGain, bendPx, flatDecay, maxShared, maxTrackPlanes, minShare,
+            mergeVelocity, mergeLoss, mergeGapShare);
         if (preset == Preset.DEFAULT) {
             requireInOrder("maxLifetimePx", maxLifetimePx, "lifetimePx", lifetimePx);
         }
@@ -321,8 +294,8 @@ public record SofasParameters(
     public static SofasParameters paper() {
         return new SofasParameters(Preset.PAPER,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 200_000, 1, 40, 0, 0.03, 3, 3, 1_000_000, 0.15, 0.1, 0.05, 4, 3,
-            0.15, 0, 0, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, false, 1.5, 0.5, 0.07, 64,
-            0.05, 0.15, 64, 0.2, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 0);
+            0.15, 0, 0, 1.3, 2000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, false, 1.5, 0.5, 0.07,
+            0.05, 0.15, 64, 0.2, 0.15, 0.02, 0.8);
     }
 
     /** The most accurate preset, and the one to start from. */
@@ -330,7 +303,7 @@ public record SofasParameters(
         return new SofasParameters(Preset.DEFAULT,
             9, 100, 180, 9, 3, 300, 4, 1500, 6, 1_500_000, 0.5, 40, 2.5, 0.03, 5, 16, 1_000_000, 0.15, 0.1,
             0.05, 4, 3, 0.15, 64, 2_000_000, 1.3, 1000, 1.5, 0.04, 0.5, 4, 2, 0.002, 0.5, 1, 0.25, 0.1, true,
-            1.5, 0.5, 0.07, 64, 0.05, 0.15, 64, 0.3, 0.85, 0.45, 0.7, 0.15, 0.02, 0.8, 2);
+            1.5, 0.5, 0.07, 0.05, 0.15, 64, 0.3, 0.15, 0.02, 0.8);
     }
 
     /** The same with another {@link #flowProjections}. */
@@ -538,11 +511,6 @@ public record SofasParameters(
         return with("bendPx", value);
     }
 
-    /** The same with another {@link #pathPx}. */
-    public SofasParameters withPathPx(double value) {
-        return with("pathPx", value);
-    }
-
     /** The same with another {@link #flatDecay}. */
     public SofasParameters withFlatDecay(double value) {
         return with("flatDecay", value);
@@ -563,21 +531,6 @@ public record SofasParameters(
         return with("minShare", value);
     }
 
-    /** The same with another {@link #crowdedShare}. */
-    public SofasParameters withCrowdedShare(double value) {
-        return with("crowdedShare", value);
-    }
-
-    /** The same with another {@link #slowShare}. */
-    public SofasParameters withSlowShare(double value) {
-        return with("slowShare", value);
-    }
-
-    /** The same with another {@link #returnShare}. */
-    public SofasParameters withReturnShare(double value) {
-        return with("returnShare", value);
-    }
-
     /** The same with another {@link #mergeVelocity}. */
     public SofasParameters withMergeVelocity(double value) {
         return with("mergeVelocity", value);
@@ -591,11 +544,6 @@ public record SofasParameters(
     /** The same with another {@link #mergeGapShare}. */
     public SofasParameters withMergeGapShare(double value) {
         return with("mergeGapShare", value);
-    }
-
-    /** The same with another {@link #pairGapShare}. */
-    public SofasParameters withPairGapShare(double value) {
-        return with("pairGapShare", value);
     }
 
     private SofasParameters with(String name, Object value) {

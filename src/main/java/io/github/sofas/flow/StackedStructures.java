@@ -34,8 +34,8 @@ final class StackedStructures implements Structures {
         }
 
         @Override
-        public boolean begin(long nowUs) {
-            return stack.begin(plane, nowUs);
+        public void begin(long nowUs) {
+            stack.begin(plane, nowUs);
         }
 
         @Override

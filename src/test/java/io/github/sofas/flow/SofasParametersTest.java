@@ -57,18 +57,13 @@ public class SofasParametersTest {
         changePx 1.5 1.5
         changeGain 0.5 0.5
         bendPx 0.07 0.07
-        pathPx 64.0 64.0
         flatDecay 0.05 0.05
         maxShared 0.15 0.15
         maxTrackPlanes 64 64
         minShare 0.2 0.3
-        crowdedShare 0.85 0.85
-        slowShare 0.45 0.45
-        returnShare 0.7 0.7
         mergeVelocity 0.15 0.15
         mergeLoss 0.02 0.02
         mergeGapShare 0.8 0.8
-        pairGapShare 0.0 2.0
         """;
 
     private static final List<RecordComponent> NUMBERS = new ArrayList<>();

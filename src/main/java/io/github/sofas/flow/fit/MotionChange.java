@@ -14,7 +14,6 @@ public final class MotionChange {
     /** What is left of a change with each measurement that cannot be made. */
     private static final double HELD = 0.8;
 
-    private final PathBend path = new PathBend();
     // as measured, before what may be noise is left out
     private double along;
     private double across;
@@ -22,12 +21,6 @@ public final class MotionChange {
     /** The acceleration across as far as it is known. */
     private double shownAcross;
     private double turnLoss;
-
-    /** Begins with a steady motion. */
-    public void start(long nowUs) {
-        path.start(nowUs);
-        restart();
-    }
 
     /**
      * Measures the change, from the events that the velocity was fitted to, and gives it to the motion; the velocity at
@@ -63,14 +56,8 @@ public final class MotionChange {
             double newOmega = motion.omega + fit.step();
             omega += gain(newOmega - omega, rotation, p) * (newOmega - omega);
             double shownOmega = shown(shareOf(turnLoss, loss.best() * radius * radius), p);
-            motion.omega = believe(omega, rotation, p) * shownOmega
-                + path.omega(motion, p.pathPx()) * (1 - shownOmega);
+            motion.omega = believe(omega, rotation, p) * shownOmega;
         }
-    }
-
-    /** Follows the path on, whose bend tells how a structure turns that does not show it. */
-    public void follow(Motion motion, SofasParameters p) {
-        path.follow(motion, p.pathPx());
     }
 
     /** Holds the motion steady where it cannot be measured, because another structure crosses or no events come. */
@@ -84,7 +71,7 @@ public final class MotionChange {
         motion.omega *= HELD;
     }
 
-    /** Begins anew with a steady motion on the same path. */
+    /** Begins with a steady motion. */
     public void restart() {
         along = 0;
         across = 0;

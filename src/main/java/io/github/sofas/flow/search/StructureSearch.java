@@ -248,13 +248,11 @@ public final class StructureSearch {
         for (int a = from; a < from + size; a++) {
             hand(pieces.events()[a], structure);
         }
-        if (structure.begin(plane.timeUs(last))) {
-            // those that came while it was refined, and would be a structure of their own, unless another has them
-            for (int e = last + 1; e != plane.head(); e++) {
-                if (!plane.isTakenOut(e)
-                        && structure.expects(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e))) {
-                    hand(e, structure);
-                }
+        structure.begin(plane.timeUs(last));
+        // those that came while it was refined, and would be a structure of their own, unless another has them
+        for (int e = last + 1; e != plane.head(); e++) {
+            if (!plane.isTakenOut(e) && structure.expects(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e))) {
+                hand(e, structure);
             }
         }
         saved -= (long) takenSize * n;

@@ -13,12 +13,8 @@ public interface Structures {
         /** Hands over an event of the structure's past, in order of time. */
         void addPast(int x, int y, long timeUs, int polarity);
 
-        /**
-         * Begins to track it, with the events handed over so far.
-         *
-         * @return whether it is tracked as one of its own; not where it is a piece of another
-         */
-        boolean begin(long nowUs);
+        /** Begins to track it, with the events handed over so far. */
+        void begin(long nowUs);
 
         /** Whether it expects an event, once it is tracked. */
         boolean expects(int x, int y, long timeUs, int polarity);

@@ -25,7 +25,6 @@ final class Shape {
     /** Tick at which each cell was seen last. */
     private final int[] seen;
     private final Motion motion = new Motion();
-    private final Motion thought = new Motion();
     // the origin of the structure's coordinates at the motion's reference, and how far they have turned
     private double originX;
     private double originY;
@@ -88,23 +87,6 @@ final class Shape {
         originX += travelX - turn * (ry + 0.5 * turn * rx);
         originY += travelY + turn * (rx - 0.5 * turn * ry);
         turnTo(angle + turn);
-        goOn(now, memoryUs);
-    }
-
-    /**
-     * Moves the coordinates along with a structure from where its centre was to that of a motion, which they follow
-     * from then on.
-     *
-     * @param turned since it was there, in rad
-     */
-    void carry(double fromX, double fromY, double turned, Motion now, long memoryUs) {
-        double c = StrictMath.cos(turned);
-        double s = StrictMath.sin(turned);
-        double rx = originX - fromX;
-        double ry = originY - fromY;
-        originX = now.centreX + c * rx - s * ry;
-        originY = now.centreY + s * rx + c * ry;
-        turnTo(angle + turned);
         goOn(now, memoryUs);
     }
 
@@ -180,26 +162,5 @@ final class Shape {
         cells += seen[next | left] > since ? 1 : 0;
         cells += seen[next | right] > since ? 1 : 0;
         return cells >= LEAST_CELLS ? cells : 0;
-    }
-
-    /** Whether a place of the sensor was seen. */
-    boolean wasSeen(double x, double y, long timeUs) {
-        locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
-        int cx = (int) Math.floor(cellX);
-        int cy = (int) Math.floor(cellY);
-        return cx >= minX && cx <= maxX && cy >= minY && cy <= maxY
-            && seen[(cy & maskY) << columnBits | cx & maskX] > tick(timeUs) - memoryTicks;
-    }
-
-    /** Moves the shape from where its structure was thought to be to where it was found; it follows another motion. */
-    void move(double dx, double dy, Motion now, long memoryUs) {
-        thought.copyFrom(motion);
-        thought.ax = 0;
-        thought.ay = 0;
-        thought.moveReference(now.referenceUs);
-        follow(thought, memoryUs);
-        originX += dx;
-        originY += dy;
-        follow(now, memoryUs);
     }
 }

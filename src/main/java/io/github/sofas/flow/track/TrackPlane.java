@@ -41,35 +41,15 @@ public final class TrackPlane {
     private static final int STRETCHES = 4;
     /** Events that a structure must have had to be waited for while it is hidden. */
     private static final int LEAST_HIDDEN = 200;
-    /** Events that may be hidden in a part of the box, to those that would lie there if they lay evenly. */
-    private static final double MOST_HIDDEN = 1.5;
-    /** Mean polarity beyond which a structure is an edge that is dark or bright. */
-    private static final double ONE_SIDED = 0.7;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
     private static final double STEP_PX = 1.0 / 64;
-    /** Travel after which the other edges of a structure should have been found. */
-    private static final double SETTLED_PX = 8;
-    /** Travel over which its events are counted, to tell whether it slows down. */
-    private static final double PACE_PX = 2;
-    /** Fewest events that are expected over it for that, and travel that the expectation is averaged over. */
-    private static final double PACE_EVENTS = 10;
-    private static final double PACE_MEMORY_PX = 32;
-    /** Distance of boxes within which another structure may hide events of this one. */
-    private static final double BESIDE_PX = 2;
-    /** Distance from the sensor's border within which events may be missing. */
-    private static final double BORDER_PX = 3;
-    /** Travel together of two bodies that may be one, and how long they may seem two meanwhile. */
-    private static final double TOGETHER_PX = 8;
-    private static final long AGREED_US = 20_000;
-    /** Travel after which pieces of one structure should have merged. */
-    private static final double WHOLE_PX = 32;
 
     private SofasParameters p;
     private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final Motion motion = new Motion();
     private final SteppedProjection stepped = new SteppedProjection();
-    private Shape shape;
+    private final Shape shape;
     private final MotionChange change = new MotionChange();
 
     private int id;
@@ -85,22 +65,7 @@ public final class TrackPlane {
     /** Live events a px of the lifetime: as many at any speed. */
     private double usualDensity;
     private boolean hidden;
-    /** Others that may hide it. */
-    private final Covers covers = new Covers();
-    /** An older plane that described the same structure when it was asked last, when that was, and since when. */
-    private int agreesWith;
-    private long agreedUs;
-    private long agreesSinceUs;
-    /** Whether another structure is so near that either may hide events of the other. */
-    private boolean accompanied;
     private long hiddenUs;
-    private final PlaceTrack place = new PlaceTrack();
-    private boolean byPlace;
-    /** Live events a px that it has had of late, and when that was asked. */
-    private double paceDensity;
-    private long pacedUs;
-    /** When it was found, or found again. */
-    private long appearedUs;
 
     private final MotionLoss loss = new MotionLoss();
     /** Metric an event of all live events. */
@@ -117,21 +82,20 @@ public final class TrackPlane {
     static long mostBytes(SensorSize sensor) {
         return Integer.BYTES * (sensor.width() + 2L * Contour.MARGIN) * (sensor.height() + 2L * Contour.MARGIN)
             + ((long) Integer.BYTES << Shape.bits(sensor.width()) + Shape.bits(sensor.height()))
-            + LiveEvents.BYTES + PlaceTrack.bytes();
+            + LiveEvents.BYTES;
     }
 
     /** Begins with the velocity of a new structure; its events are to be added. */
     void start(int newId, long nowUs, double vx, double vy) {
         id = newId;
         firstUs = nowUs;
-        appearedUs = nowUs;
         lastUs = nowUs;
         events = 0;
         live.clear();
         motion.set(nowUs, vx, vy);
         contour.project(live, motion);
         shape.start(motion);
-        change.start(nowUs);
+        change.restart();
         lifetimePx = p.lifetimePx();
         lifetimeUs = lifetime();
         sinceMeasured = 0;
@@ -139,12 +103,6 @@ public final class TrackPlane {
         measurements = 0;
         usualDensity = 0;
         hidden = false;
-        uncover();
-        agreesWith = 0;
-        accompanied = false;
-        byPlace = false;
-        paceDensity = 0;
-        pacedUs = nowUs;
         loss.clear();
         density = 0;
         widen = 1;
@@ -197,10 +155,6 @@ public final class TrackPlane {
     void take(int x, int y, long timeUs, int polarity, boolean shared, boolean remembered, MetricFit fit) {
         events++;
         lastUs = timeUs;
-        if (byPlace) {
-            gather(x, y, timeUs, polarity);
-            return;
-        }
         append(x, y, timeUs, polarity, shared, remembered);
         sinceMeasured++;
         if (sinceMeasured >= newsNeeded()) {
@@ -219,14 +173,6 @@ public final class TrackPlane {
             dropOldest();
         }
         contour.add(live, live.add(x, y, timeUs, polarity, shared, remembered));
-    }
-
-    /** Keeps an event to be measured later, while the contour does not depend on live events. */
-    private void gather(int x, int y, long timeUs, int polarity) {
-        if (live.isFull()) {
-            live.removeOldest();
-        }
-        live.add(x, y, timeUs, polarity, false, false);
     }
 
     private void dropOldest() {
@@ -277,9 +223,6 @@ public final class TrackPlane {
      * hidden for longer than it remembers its contour, or has left the sensor.
      */
     boolean isGone(long nowUs, SensorSize sensor) {
-        if (byPlace) {
-            return nowUs - hiddenUs >= p.maxMemoryUs() || hasLeft(nowUs, sensor);
-        }
         expire(nowUs);
         if (!hasFewerThan(p.minShare())) {
             hidden = false;
@@ -302,7 +245,7 @@ public final class TrackPlane {
     /** Measures the motion of a structure that gets few events and would else wait long. */
     void measureIfLate(MetricFit fit, long nowUs) {
         long since = nowUs - measuredUs;
-        if (!byPlace && sinceMeasured > 0 && since > 20_000 && since > lifetimeUs / 4) {
+        if (sinceMeasured > 0 && since > 20_000 && since > lifetimeUs / 4) {
             recentre(fit, nowUs);
         }
     }
@@ -315,8 +258,8 @@ public final class TrackPlane {
         if (live.size() == 0) {
             return;
         }
-        if (hasFewerThan(p.minShare()) || isHiddenInPart()) {
-            // what is left is noise, too little, or what hides it: the motion is held
+        if (hasFewerThan(p.minShare())) {
+            // what is left is noise, or too little: the motion is held
             change.hold(motion);
         } else if (nowUs - live.oldestUs() > 10) {
             double half = (nowUs - live.oldestUs()) * 0.5e-6;
@@ -337,124 +280,6 @@ public final class TrackPlane {
         lifetimeUs = lifetime();
         shape.follow(contour.motion(), memoryUs());
         expire(nowUs);
-    }
-
-    boolean isFollowedByPlace() {
-        return byPlace;
-    }
-
-    /**
-     * Follows a structure by its place that slows down, until it moves well again.
-     *
-     * @param strays events that no plane took
-     */
-    void followPlace(StrayEvents strays, Registration registration, MetricFit fit, SensorSize sensor, long nowUs) {
-        if (byPlace ? !place.isDue(contour, live, strays, nowUs) : !slowsDown(nowUs, sensor) || !leavePace(nowUs)) {
-            return;
-        }
-        double fromX = motion.centreX;
-        double fromY = motion.centreY;
-        double fromAngle = place.angle();
-        place.follow(motion, live, strays, registration, usualDensity, nowUs);
-        place.draw(contour, motion);
-        shape.carry(fromX, fromY, place.angle() - fromAngle, motion, memoryUs());
-        long fromUs = place.movesSince(motion);
-        if (showsItself(fromUs, nowUs)) {
-            findPace(fromUs, fit, nowUs);
-        }
-    }
-
-    /**
-     * Whether a structure that was tracked well, with none beside it that may hide it, has in the last two px of its
-     * travel fewer events than a share of what it had: as events come by the px, it then travels less than is thought.
-     */
-    private boolean slowsDown(long nowUs, SensorSize sensor) {
-        double travelledPx = motion.speed(contour.radius()) * (nowUs - pacedUs) * 1e-6;
-        double density = eventsPerPx();
-        paceDensity = Math.max(density,
-            paceDensity - (paceDensity - density) * Math.min(1, travelledPx / PACE_MEMORY_PX));
-        pacedUs = nowUs;
-        if (hidden || accompanied || covers.share() > 0 || events < LEAST_HIDDEN || measurements <= LEAST_FULL
-                || !isSettled(nowUs) || !isInside(nowUs, sensor)) {
-            return false;
-        }
-        double speed = speedAt(nowUs);
-        long spanUs = paceUs(speed);
-        double expected = paceDensity * speed * spanUs * 1e-6;
-        return expected > PACE_EVENTS && live.since(nowUs - spanUs) < p.slowShare() * expected;
-    }
-
-    /** Speed as far as the acceleration tells. */
-    private double speedAt(long timeUs) {
-        double dt = (timeUs - motion.referenceUs) * 1e-6;
-        double turning = motion.omega * contour.radius();
-        double vx = motion.vx + motion.ax * dt;
-        double vy = motion.vy + motion.ay * dt;
-        return Math.sqrt(vx * vx + vy * vy + turning * turning);
-    }
-
-    private long paceUs(double speed) {
-        return Math.min(lifetimeUs, (long) (PACE_PX / Math.max(speed, 1e-3) * 1e6));
-    }
-
-    /** Whether its box is on the sensor, so that none of its events are missing. */
-    private boolean isInside(long nowUs, SensorSize sensor) {
-        double x = contour.travelX(nowUs);
-        double y = contour.travelY(nowUs);
-        return contour.left() + x >= BORDER_PX && contour.right() + x < sensor.width() - BORDER_PX
-            && contour.top() + y >= BORDER_PX && contour.bottom() + y < sensor.height() - BORDER_PX;
-    }
-
-    /** Lets the live events go, and keeps the contour that they drew; false where that is too large. */
-    private boolean leavePace(long nowUs) {
-        double speed = motion.speed(contour.radius());
-        double now = speedAt(nowUs);
-        long spanUs = paceUs(now);
-        double share = live.since(nowUs - spanUs) / Math.max(1, paceDensity * now * spanUs * 1e-6);
-        double turned = motion.omega * (nowUs - motion.referenceUs) * 1e-6;
-        if (!place.start(contour, turned, speed, p.lifetimePx(), nowUs - spanUs)) {
-            return false;
-        }
-        motion.moveReference(nowUs);
-        motion.ax = 0;
-        motion.ay = 0;
-        shape.follow(motion, memoryUs());
-        motion.vx *= share;
-        motion.vy *= share;
-        while (live.size() > 0) {
-            dropOldest();
-        }
-        byPlace = true;
-        hidden = true;
-        hiddenUs = nowUs;
-        return true;
-    }
-
-    /** Whether the events since a time are enough to be measured, and not all of a moment. */
-    private boolean showsItself(long fromUs, long nowUs) {
-        int n = fromUs < nowUs ? live.since(fromUs) : 0;
-        return n >= Math.max(LEAST_EVENTS, p.minShare() * usualDensity * PlaceTrack.SHOWN_PX)
-            && live.timeUs[live.index(live.size() - n)] - fromUs < (nowUs - fromUs) / 2;
-    }
-
-    /** Goes on measuring, from the events since a time. */
-    private void findPace(long fromUs, MetricFit fit, long nowUs) {
-        byPlace = false;
-        paceDensity = 0;
-        while (live.size() > 0 && live.oldestUs() < fromUs) {
-            live.removeOldest();
-        }
-        place.takeVelocity(motion);
-        contour.wipe();
-        contour.project(live, motion);
-        change.restart();
-        loss.clear();
-        widen = 1;
-        measurements = 0;
-        lifetimePx = p.lifetimePx();
-        lifetimeUs = Math.max(lifetime(), nowUs - fromUs);
-        usualDensity = eventsPerPx();
-        recentre(fit, nowUs);
     }
 
     /** Time in which the structure travels the pixels that it remembers its contour for. */
@@ -534,9 +359,6 @@ public final class TrackPlane {
         double radius = contour.radius();
         // as well known as turning would be that shows a little, so that not everything may be one body
         loss.turn = change.turnLoss() + p.flatChange() * loss.best() * radius * radius;
-        if (measurements > LEAST_FULL) {
-            change.follow(motion, p);
-        }
         measurements++;
     }
 
@@ -576,36 +398,12 @@ public final class TrackPlane {
      * @param common is left with that motion
      */
     boolean describesSameAs(TrackPlane other, CommonMotion common, long nowUs) {
-        if (byPlace || other.byPlace || live.size() + other.live.size() == 0) {
+        if (live.size() + other.live.size() == 0) {
             return false;
         }
         double gap = Math.max(4, p.mergeGapShare() * Math.min(contour.extent(), other.contour.extent()));
-        if (isPairedWith(other) && isSettled(nowUs) && other.isSettled(nowUs)) {
-            gap = Math.max(gap, p.pairGapShare() * Math.max(contour.extent(), other.contour.extent()));
-        }
         return isNear(other, nowUs, gap)
             && (sharesVelocity(other, common, nowUs) || sharesMotion(other, common, nowUs));
-    }
-
-    /**
-     * Whether it has described the same structure as an older one for long enough to be merged into it. Pieces are at
-     * once, and the front and the back of a body; two that were long tracked apart, each dark and bright, are two
-     * bodies that may touch, and are one only if they go on together.
-     */
-    boolean agreesFor(TrackPlane older, long nowUs) {
-        if (isPairedWith(older) || !isLongKnown(nowUs) || !older.isLongKnown(nowUs)) {
-            return true;
-        }
-        if (agreesWith != older.id || nowUs - agreedUs > AGREED_US) {
-            agreesWith = older.id;
-            agreesSinceUs = nowUs;
-        }
-        agreedUs = nowUs;
-        return (nowUs - agreesSinceUs) * 1e-6 * motion.speed(contour.radius()) >= TOGETHER_PX;
-    }
-
-    private boolean isLongKnown(long nowUs) {
-        return (nowUs - firstUs) * 1e-6 * motion.speed(contour.radius()) > WHOLE_PX;
     }
 
     private boolean sharesVelocity(TrackPlane other, CommonMotion common, long nowUs) {
@@ -620,96 +418,6 @@ public final class TrackPlane {
 
     MotionLoss loss() {
         return loss;
-    }
-
-    boolean isHidden() {
-        return hidden;
-    }
-
-    /** Whether it was lost, and found again so short a time ago that more of its pieces may be found. */
-    boolean hasJustReappeared(long nowUs) {
-        return appearedUs > firstUs && !byPlace && !isSettled(nowUs);
-    }
-
-    /** Loads the contour, to be looked for on the shapes of others. */
-    void show(Reappearance reappearance) {
-        reappearance.load(live, contour);
-    }
-
-    /** Whether a new structure is this one, which was lost. */
-    boolean isRecognisedBy(Reappearance reappearance, long nowUs) {
-        double lostPx = Math.min(p.memoryPx(), StrictMath.hypot(motion.vx, motion.vy)
-            * (nowUs - hiddenUs + lifetimeUs) * 1e-6);
-        return reappearance.search(shape, motion, lostPx, nowUs) >= p.returnShare();
-    }
-
-    /** Whether a new structure lies where this one was seen: a piece of it. */
-    boolean hasPieceAt(Reappearance reappearance, long nowUs) {
-        return reappearance.overlap(shape, 0, 0, nowUs) >= p.returnShare();
-    }
-
-    /** Goes on as a structure that was lost and is found again in this new one. */
-    void continueAs(TrackPlane lost, Reappearance reappearance) {
-        appearedUs = motion.referenceUs;
-        id = lost.id;
-        firstUs = lost.firstUs;
-        events += lost.events;
-        Shape own = shape;
-        shape = lost.shape;
-        lost.shape = own;
-        shape.move(reappearance.shiftX(), reappearance.shiftY(), contour.motion(), memoryUs());
-    }
-
-    /** Forgets what may hide it. */
-    void uncover() {
-        covers.clear();
-    }
-
-    /** Notes that another structure may hide it, as far as its box reaches. */
-    void coverBy(TrackPlane other, long nowUs) {
-        covers.add(contour, other.contour, nowUs);
-    }
-
-    /** Whether fewer events come than usual, and others may hide as many as are missing: not where less is seen. */
-    private boolean isHiddenInPart() {
-        return hasFewerThan(p.crowdedShare()) && !hasFewerThan(1 - MOST_HIDDEN * covers.share())
-            && missesWhatIsCovered();
-    }
-
-    /**
-     * Whether its events are fewer where others cover it than elsewhere. What slows down has fewer everywhere for the
-     * speed that it is thought to have: if that were held, it would stay so.
-     */
-    boolean missesWhatIsCovered() {
-        return covers.hideSome(live, p.lifetimePx());
-    }
-
-    void setAccompanied(boolean isAccompanied) {
-        accompanied = isAccompanied;
-    }
-
-    /** Whether the boxes of two structures touch, so that either may hide events of the other. */
-    boolean isBeside(TrackPlane other, long nowUs) {
-        return isNear(other, nowUs, BESIDE_PX);
-    }
-
-    /** Whether the boxes of two structures overlap, so that one may hide the other; new pieces may be of one. */
-    boolean overlaps(TrackPlane other, long nowUs) {
-        return !hidden && !other.hidden && hasTravelled(nowUs, WHOLE_PX) && other.hasTravelled(nowUs, WHOLE_PX)
-            && isNear(other, nowUs, 0);
-    }
-
-    /** Whether one is dark and the other bright, as the front and the back of an object are. */
-    private boolean isPairedWith(TrackPlane other) {
-        return contour.polarity() * other.contour.polarity() < -ONE_SIDED * ONE_SIDED;
-    }
-
-    private boolean isSettled(long nowUs) {
-        return hasTravelled(nowUs, SETTLED_PX);
-    }
-
-    private boolean hasTravelled(long nowUs, double px) {
-        return (nowUs - appearedUs) * 1e-6 * motion.speed(contour.radius()) > px;
     }
 
     private boolean isNear(TrackPlane other, long nowUs, double gap) {

@@ -36,9 +36,6 @@ public final class TrackPlaneStack {
     private final List<TrackPlane> unused = new ArrayList<>();
     private LiveEvents spare = new LiveEvents();
     private final CommonMotion common = new CommonMotion();
-    private final Reappearance reappearance = new Reappearance();
-    private final StrayEvents strays = new StrayEvents();
-    private final Registration registration;
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
@@ -53,14 +50,12 @@ public final class TrackPlaneStack {
         this.fit = fit;
         this.ended = ended;
         planes = new TrackPlane[p.maxTrackPlanes()];
-        registration = new Registration(sensor.width(), sensor.height());
     }
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters p) {
         // one more ring, for merging
-        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES
-            + Registration.bytes(sensor.width(), sensor.height()) + StrayEvents.BYTES;
+        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES;
     }
 
     /** The plane that an event belongs to, or null. */
@@ -70,9 +65,6 @@ public final class TrackPlaneStack {
         double secondRate = 0;
         for (int i = 0; i < size; i++) {
             TrackPlane plane = planes[i];
-            if (plane.isFollowedByPlace()) {
-                continue;
-            }
             int support = plane.support(x, y, timeUs, polarity);
             if (support >= plane.threshold()) {
                 double rate = (double) support / plane.lifetimeUs();
@@ -88,28 +80,11 @@ public final class TrackPlaneStack {
         remembered = best == null;
         if (remembered) {
             shared = false;
-            best = slowed(x, y, timeUs, polarity);
-            if (best == null) {
-                best = remembering(x, y, timeUs);
-            }
-            if (best == null) {
-                strays.add(x, y, timeUs);
-            }
-            return best;
+            return remembering(x, y, timeUs);
         }
         shared = secondRate > p.sharedScore() * bestRate
             || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
         return best;
-    }
-
-    /** The plane that is followed by its place, and whose contour an event lies on. */
-    private TrackPlane slowed(int x, int y, long timeUs, int polarity) {
-        for (int i = 0; i < size; i++) {
-            if (planes[i].isFollowedByPlace() && planes[i].support(x, y, timeUs, polarity) >= planes[i].threshold()) {
-                return planes[i];
-            }
-        }
-        return null;
     }
 
     /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
@@ -153,38 +128,10 @@ public final class TrackPlaneStack {
                 planes[i].measureIfLate(fit, nowUs);
             }
         }
-        findCrowds(nowUs);
-        for (int i = 0; i < size; i++) {
-            planes[i].followPlace(strays, registration, fit, sensor, nowUs);
-        }
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
-                if (isSame(planes[i], planes[j], nowUs)) {
+                if (planes[i].describesSameAs(planes[j], common, nowUs)) {
                     merge(i, j, nowUs);
-                }
-            }
-        }
-    }
-
-    private boolean isSame(TrackPlane a, TrackPlane b, long nowUs) {
-        return a.describesSameAs(b, common, nowUs)
-            && (a.id() < b.id() ? b.agreesFor(a, nowUs) : a.agreesFor(b, nowUs));
-    }
-
-    private void findCrowds(long nowUs) {
-        for (int i = 0; i < size; i++) {
-            planes[i].uncover();
-            planes[i].setAccompanied(false);
-        }
-        for (int i = 0; i < size; i++) {
-            for (int j = i + 1; j < size; j++) {
-                if (planes[i].overlaps(planes[j], nowUs)) {
-                    planes[i].coverBy(planes[j], nowUs);
-                    planes[j].coverBy(planes[i], nowUs);
-                }
-                if (planes[i].isBeside(planes[j], nowUs)) {
-                    planes[i].setAccompanied(true);
-                    planes[j].setAccompanied(true);
                 }
             }
         }
@@ -227,28 +174,10 @@ public final class TrackPlaneStack {
         return plane;
     }
 
-    /**
-     * Begins to track a new structure, or a lost one that is recognised in it.
-     *
-     * @return whether the plane tracks it; not where it is a piece of one that another plane tracks
-     */
-    public boolean begin(TrackPlane plane, long nowUs) {
+    /** Begins to track a new structure. */
+    public void begin(TrackPlane plane, long nowUs) {
         plane.recentre(fit, nowUs);
         planes[size++] = plane;
-        plane.show(reappearance);
-        for (int i = 0; i < size - 1; i++) {
-            if (planes[i].isHidden() && planes[i].isRecognisedBy(reappearance, nowUs)) {
-                plane.continueAs(planes[i], reappearance);
-                release(i);
-                return true;
-            }
-            if (planes[i].hasJustReappeared(nowUs) && planes[i].hasPieceAt(reappearance, nowUs)) {
-                common.fit(planes[i].motion(), planes[i].loss(), plane.motion(), plane.loss(), nowUs);
-                merge(i, size - 1, nowUs);
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Votes given by measurements since this was asked last, a measure of work. */
@@ -300,7 +229,6 @@ public final class TrackPlaneStack {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
-        strays.clear();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }

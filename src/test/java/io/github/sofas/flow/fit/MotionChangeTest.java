@@ -20,7 +20,7 @@ public class MotionChangeTest {
         motion.centreX = 50;
         motion.centreY = 40;
         MotionChange change = new MotionChange();
-        change.start(0);
+        change.restart();
         MotionLoss loss = new MotionLoss();
         MetricFit fit = new MetricFit(128, 96, DEFAULTS.voteCellPx(), 4096, 1900);
         for (int repeat = 0; repeat < 8; repeat++) {

@@ -35,9 +35,8 @@ public class StructureSearchTest {
         }
 
         @Override
-        public boolean begin(long nowUs) {
+        public void begin(long nowUs) {
             begun++;
-            return true;
         }
 
         @Override

@@ -78,19 +78,4 @@ public class ShapeTest {
         shape.follow(motion(10, 0, 0, 0), 1_000_000);
         assertEquals(0, shape.remembered(50, 30, 20));
     }
-
-    @Test
-    public void isCarriedToWhereTheStructureIsFound() {
-        // the centre moves from (40, 30) to (45, 28), and the structure turns by a right angle from x towards y
-        Shape shape = edge(motion(0, 0, 0, 0));
-        Motion found = new Motion();
-        found.set(1000, 0, 0);
-        found.centreX = 45;
-        found.centreY = 28;
-        shape.carry(40, 30, Math.PI / 2, found, 1_000_000);
-        // what was 10 px right of the centre is 10 px below it
-        assertTrue(shape.remembered(45, 38, 1000) > 0);
-        assertEquals(0, shape.remembered(55, 28, 1000));
-        assertEquals(0, shape.remembered(50, 30, 1000));
-    }
 }

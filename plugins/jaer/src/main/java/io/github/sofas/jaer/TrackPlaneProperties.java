@@ -316,16 +316,6 @@ public abstract class TrackPlaneProperties extends FlowPlaneProperties {
         set("bendPx", value);
     }
 
-    /** The parameter {@link SofasParameters#pathPx}. */
-    public float getPathPx() {
-        return (float) number("pathPx");
-    }
-
-    /** Sets {@link #getPathPx}. */
-    public void setPathPx(float value) {
-        set("pathPx", value);
-    }
-
     /** The parameter {@link SofasParameters#flatDecay}. */
     public float getFlatDecay() {
         return (float) number("flatDecay");
@@ -387,66 +377,6 @@ public abstract class TrackPlaneProperties extends FlowPlaneProperties {
         return 1f;
     }
 
-    /** The parameter {@link SofasParameters#crowdedShare}. */
-    public float getCrowdedShare() {
-        return (float) number("crowdedShare");
-    }
-
-    /** Sets {@link #getCrowdedShare}. */
-    public void setCrowdedShare(float value) {
-        set("crowdedShare", value);
-    }
-
-    /** Left end of its slider. */
-    public float getMinCrowdedShare() {
-        return 0f;
-    }
-
-    /** Right end of its slider. */
-    public float getMaxCrowdedShare() {
-        return 1f;
-    }
-
-    /** The parameter {@link SofasParameters#slowShare}. */
-    public float getSlowShare() {
-        return (float) number("slowShare");
-    }
-
-    /** Sets {@link #getSlowShare}. */
-    public void setSlowShare(float value) {
-        set("slowShare", value);
-    }
-
-    /** Left end of its slider. */
-    public float getMinSlowShare() {
-        return 0f;
-    }
-
-    /** Right end of its slider. */
-    public float getMaxSlowShare() {
-        return 1f;
-    }
-
-    /** The parameter {@link SofasParameters#returnShare}. */
-    public float getReturnShare() {
-        return (float) number("returnShare");
-    }
-
-    /** Sets {@link #getReturnShare}. */
-    public void setReturnShare(float value) {
-        set("returnShare", value);
-    }
-
-    /** Left end of its slider. */
-    public float getMinReturnShare() {
-        return 0f;
-    }
-
-    /** Right end of its slider. */
-    public float getMaxReturnShare() {
-        return 1f;
-    }
-
     /** The parameter {@link SofasParameters#mergeVelocity}. */
     public float getMergeVelocity() {
         return (float) number("mergeVelocity");
@@ -488,13 +418,4 @@ public abstract class TrackPlaneProperties extends FlowPlaneProperties {
         set("mergeGapShare", value);
     }
 
-    /** The parameter {@link SofasParameters#pairGapShare}. */
-    public float getPairGapShare() {
-        return (float) number("pairGapShare");
-    }
-
-    /** Sets {@link #getPairGapShare}. */
-    public void setPairGapShare(float value) {
-        set("pairGapShare", value);
-    }
 }
