@@ -36,6 +36,8 @@ import picocli.CommandLine.Spec;
     exitCodeList = {"0:written", "1:the files cannot be written", "2:wrong usage; nothing was written"})
 final class SimulateCommand implements Callable<Integer> {
     private static final int BATCH = 4096;
+    /** Stands between a scene's name and its seed. */
+    private static final String SEED_MARK = ":";
     /** The option of each component that a message of the options' or the sensor model's record may begin with. */
     private static final Map<String, String> OPTIONS = Map.ofEntries(Map.entry("speedPxPerS", "--speed"),
         Map.entry("directionDeg", "--direction"), Map.entry("turnsPerS", "--turns"), Map.entry("scale", "--scale"),
@@ -49,7 +51,8 @@ final class SimulateCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "SCENE", arity = "0..1", description = "What is filmed; --list tells the scenes.")
+    @Parameters(paramLabel = "SCENE", arity = "0..1",
+        description = "What is filmed; --list tells the scenes. random:7 is random with seed 7.")
     private String sceneName;
 
     @Option(names = "--list", description = "List the scenes.")
@@ -83,7 +86,7 @@ final class SimulateCommand implements Callable<Integer> {
             description = "Direction of the first object's motion, from right to down.")
         private double directionDeg;
 
-        @Option(names = "--scale", paramLabel = "FACTOR", description = "Factor on all sizes.")
+        @Option(names = "--scale", paramLabel = "FACTOR", description = "Factor on all sizes, of textures too.")
         private double scale = SimulationOptions.defaults().scale();
 
         @Option(names = "--contrast", paramLabel = "LOG",
@@ -91,7 +94,7 @@ final class SimulateCommand implements Callable<Integer> {
         private double contrast = SimulationOptions.defaults().contrast();
 
         @Option(names = "--texture", paramLabel = "SD",
-            description = "Standard deviation of the background's log intensity.")
+            description = "Standard deviation of the background's log intensity; 0 for the scene's own.")
         private double texture;
 
         @Option(names = "--blur", paramLabel = "PX", description = "Standard deviation of the optical blur.")
@@ -108,7 +111,7 @@ final class SimulateCommand implements Callable<Integer> {
         private double fieldOfViewM;
 
         @Option(names = "--seed", paramLabel = "N", description = "Seed of everything random; default: 1.")
-        private long seed = SimulationOptions.defaults().seed();
+        private Long seed;
     }
 
     /** What sees it. */
@@ -156,8 +159,9 @@ final class SimulateCommand implements Callable<Integer> {
         if (out == null) {
             throw usage("Missing required option: '--out=DIR'");
         }
-        Path recording = out.resolve(filmed.sceneName() + ".aedat");
-        Path truth = out.resolve(filmed.sceneName() + ".truth.csv");
+        String name = sceneName.replace(SEED_MARK, "-");
+        Path recording = out.resolve(name + ".aedat");
+        Path truth = out.resolve(name + ".truth.csv");
         for (Path file : List.of(recording, truth)) {
             if (!force && Files.exists(file)) {
                 throw usage("[" + file + "] exists already; --force replaces it");
@@ -168,7 +172,7 @@ final class SimulateCommand implements Callable<Integer> {
             long events = film(filmed, options, chip, recording, truth);
             if (!quiet) {
                 spec.commandLine().getErr().println(String.format(Locale.ROOT, "%s: %,d events in %.3f s on %s",
-                    filmed.sceneName(), events, filmed.durationUs(options) * 1e-6, chip.name()));
+                    name, events, filmed.durationUs(options) * 1e-6, chip.name()));
             }
             return Main.OK;
         } catch (IOException e) {
@@ -187,8 +191,30 @@ final class SimulateCommand implements Callable<Integer> {
         if (sceneName == null) {
             throw usage("Missing required parameter: 'SCENE'; known are " + Scene.names());
         }
-        return Scene.named(sceneName)
+        int mark = sceneName.indexOf(SEED_MARK);
+        String named = mark < 0 ? sceneName : sceneName.substring(0, mark);
+        Scene known = Scene.named(named)
             .orElseThrow(() -> usage("unknown scene \"" + sceneName + "\"; known are " + Scene.names()));
+        if (mark >= 0 && known != Scene.RANDOM) {
+            throw usage("only random takes a seed in its name but it was \"" + sceneName + "\"");
+        }
+        return known;
+    }
+
+    private long seed() {
+        int mark = sceneName.indexOf(SEED_MARK);
+        if (mark < 0) {
+            return scene.seed == null ? SimulationOptions.defaults().seed() : scene.seed;
+        }
+        if (scene.seed != null) {
+            throw usage("--seed goes with a scene without a seed in its name but it was \"" + sceneName + "\"");
+        }
+        try {
+            return Long.parseLong(sceneName.substring(mark + 1));
+        } catch (NumberFormatException e) {
+            throw usage("the seed of a random scene must be a whole number but was \"" + sceneName.substring(mark + 1)
+                + "\"");
+        }
     }
 
     private SimulationOptions options(SensorSize size) {
@@ -204,7 +230,7 @@ final class SimulateCommand implements Callable<Integer> {
                 .withSpeedPxPerS(scene.speedPxPerS).withDirectionDeg(scene.directionDeg).withScale(scene.scale)
                 .withContrast(scene.contrast).withTexture(scene.texture).withBlurPx(scene.blurPx)
                 .withTurnsPerS(scene.turnsPerS).withTurnsRound(scene.turnsRound)
-                .withFieldOfViewM(scene.fieldOfViewM).withSeed(scene.seed).withDvs(dvs);
+                .withFieldOfViewM(scene.fieldOfViewM).withSeed(seed()).withDvs(dvs);
         } catch (IllegalArgumentException e) {
             String component = e.getMessage().substring(0, e.getMessage().indexOf(' '));
             throw usage(OPTIONS.getOrDefault(component, component) + e.getMessage().substring(component.length()));

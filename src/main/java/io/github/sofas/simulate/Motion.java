@@ -1,12 +1,17 @@
 package io.github.sofas.simulate;
 
-/** How a rigid object moves in the image: its place, angle, velocity and rate of turning at any time. */
+/** How an object moves in the image: its place, angle, size and their rates at any time. */
 interface Motion {
-    /** Fills the pose for a time in s since the scene began; velocities are the derivatives of place and angle. */
+    /** Fills the pose for a time in s since the scene began; rates are the derivatives of place, angle and size. */
     void poseAt(double timeS, Pose pose);
 
     /** The greatest speed in px/s that a point at a distance in px from the object's origin can have. */
     double maxSpeedPxPerS(double distancePx);
+
+    /** The greatest size as a multiple of the shape's own. */
+    default double maxScale() {
+        return 1;
+    }
 
     /** Constant velocity at a constant angle; the origin is at (midX, midY) at time midS. */
     record Straight(double midX, double midY, double midS, double vxPxPerS, double vyPxPerS, double angleRad)
@@ -19,6 +24,7 @@ interface Motion {
             pose.vxPxPerS = vxPxPerS;
             pose.vyPxPerS = vyPxPerS;
             pose.turnRadPerS = 0;
+            pose.keepSize();
         }
 
         @Override
@@ -37,6 +43,7 @@ interface Motion {
             pose.vxPxPerS = 0;
             pose.vyPxPerS = 0;
             pose.turnRadPerS = turnRadPerS;
+            pose.keepSize();
         }
 
         @Override
@@ -61,11 +68,138 @@ interface Motion {
             pose.vxPxPerS = vxPxPerS * share;
             pose.vyPxPerS = vyPxPerS * share;
             pose.turnRadPerS = 0;
+            pose.keepSize();
         }
 
         @Override
         public double maxSpeedPxPerS(double distancePx) {
             return Math.sqrt(vxPxPerS * vxPxPerS + vyPxPerS * vyPxPerS);
+        }
+    }
+
+    /**
+     * What a camera's own motion does to the picture of a wall: it slides, turns about the wall's origin and grows.
+     * Each of the three rates swings about its mean by a share of it, a third of a period after the one before.
+     *
+     * @param swing 0 for steady motion, below 1
+     */
+    record Sway(double startX, double startY, double vxPxPerS, double vyPxPerS, double turnRadPerS, double growthPerS,
+                double swing, double periodS) implements Motion {
+        @Override
+        public void poseAt(double timeS, Pose pose) {
+            double slid = integral(timeS, 0);
+            double rate = rate(timeS, 0);
+            pose.x = startX + vxPxPerS * slid;
+            pose.y = startY + vyPxPerS * slid;
+            pose.vxPxPerS = vxPxPerS * rate;
+            pose.vyPxPerS = vyPxPerS * rate;
+            pose.turnTo(turnRadPerS * integral(timeS, 1));
+            pose.turnRadPerS = turnRadPerS * rate(timeS, 1);
+            pose.scale = StrictMath.exp(growthPerS * integral(timeS, 2));
+            pose.growthPerS = growthPerS * rate(timeS, 2);
+        }
+
+        private double rate(double timeS, int third) {
+            return 1 + swing * StrictMath.sin(phaseRad(timeS, third));
+        }
+
+        private double integral(double timeS, int third) {
+            double swungS = periodS / (2 * Math.PI)
+                * (StrictMath.cos(phaseRad(0, third)) - StrictMath.cos(phaseRad(timeS, third)));
+            return timeS + swing * swungS;
+        }
+
+        private double phaseRad(double timeS, int third) {
+            return 2 * Math.PI * (timeS / periodS - third / 3.0);
+        }
+
+        @Override
+        public double maxSpeedPxPerS(double distancePx) {
+            double speed = Math.sqrt(vxPxPerS * vxPxPerS + vyPxPerS * vyPxPerS);
+            return (1 + swing) * (speed + (Math.abs(turnRadPerS) + Math.abs(growthPerS)) * distancePx);
+        }
+    }
+
+    /**
+     * Coming nearer at constant speed along the line of sight of a point of the picture, which it grows away from. Its
+     * size is 1 / (contactS - t), up to a factor: the camera is reached at contactS, and growth is 1 / (contactS - t).
+     *
+     * @param offsetX how far to the right of that point it is where its size is 1
+     * @param startScale size at time 0
+     * @param endS when it is last looked at, before contactS
+     */
+    record Approach(double focusX, double focusY, double offsetX, double offsetY, double angleRad, double startScale,
+                    double contactS, double endS) implements Motion {
+        @Override
+        public void poseAt(double timeS, Pose pose) {
+            pose.scale = startScale * contactS / (contactS - timeS);
+            pose.growthPerS = 1 / (contactS - timeS);
+            pose.x = focusX + offsetX * pose.scale;
+            pose.y = focusY + offsetY * pose.scale;
+            pose.vxPxPerS = offsetX * pose.scale * pose.growthPerS;
+            pose.vyPxPerS = offsetY * pose.scale * pose.growthPerS;
+            pose.turnTo(angleRad);
+            pose.turnRadPerS = 0;
+        }
+
+        @Override
+        public double maxSpeedPxPerS(double distancePx) {
+            double offset = maxScale() * Math.sqrt(offsetX * offsetX + offsetY * offsetY);
+            return (offset + distancePx) / (contactS - endS);
+        }
+
+        @Override
+        public double maxScale() {
+            return startScale * contactS / (contactS - endS);
+        }
+    }
+
+    /**
+     * Along a line, turning at a constant rate. The origin is at (atX, atY) at time atS.
+     *
+     * @param pace how the speed changes
+     */
+    record Journey(double atX, double atY, double atS, double vxPxPerS, double vyPxPerS, Pace pace, double startRad,
+                   double turnRadPerS) implements Motion {
+        @Override
+        public void poseAt(double timeS, Pose pose) {
+            double travelledS = pace.travelledS(timeS) - pace.travelledS(atS);
+            double rate = pace.rate(timeS);
+            pose.x = atX + vxPxPerS * travelledS;
+            pose.y = atY + vyPxPerS * travelledS;
+            pose.vxPxPerS = vxPxPerS * rate;
+            pose.vyPxPerS = vyPxPerS * rate;
+            pose.turnTo(startRad + turnRadPerS * timeS);
+            pose.turnRadPerS = turnRadPerS;
+            pose.keepSize();
+        }
+
+        @Override
+        public double maxSpeedPxPerS(double distancePx) {
+            return Math.sqrt(vxPxPerS * vxPxPerS + vyPxPerS * vyPxPerS) + Math.abs(turnRadPerS) * distancePx;
+        }
+    }
+
+    /**
+     * Speed over time, as a multiple of the first: 1, then from changeS on half a cosine to the last within takesS.
+     *
+     * @param last 1 for steady motion, 0 for a stop, -1 for turning back
+     */
+    record Pace(double last, double changeS, double takesS) {
+        double rate(double timeS) {
+            double done = Math.max(0, Math.min(1, (timeS - changeS) / takesS));
+            return 1 - (1 - last) * (1 - StrictMath.cos(Math.PI * done)) / 2;
+        }
+
+        /** Integral of the rate from time 0. */
+        double travelledS(double timeS) {
+            double since = timeS - changeS;
+            if (since <= 0) {
+                return timeS;
+            }
+            double within = Math.min(since, takesS);
+            double bent = within - takesS / Math.PI * StrictMath.sin(Math.PI * within / takesS);
+            return timeS - (1 - last) * (bent / 2 + Math.max(0, since - takesS));
         }
     }
 }

@@ -83,6 +83,7 @@ final class Pendulum implements Motion {
         pose.y = pivotY + armY;
         pose.turnTo(turnedRad - theta);
         pose.turnRadPerS = -thetaPerS;
+        pose.keepSize();
         pose.vxPxPerS = thetaPerS * armY;
         pose.vyPxPerS = -thetaPerS * armX;
     }

@@ -13,26 +13,43 @@ final class Pose {
     double vyPxPerS;
     /** Rate of turning in rad/s, positive from right to down. */
     double turnRadPerS;
+    /** Size as a multiple of the shape's own, and its relative rate of growth per s. */
+    double scale;
+    double growthPerS;
+
+    /** The object has its own size, and keeps it. */
+    void keepSize() {
+        scale = 1;
+        growthPerS = 0;
+    }
 
     void turnTo(double angleRad) {
         cos = StrictMath.cos(angleRad);
         sin = StrictMath.sin(angleRad);
     }
 
-    /** Velocity to the right of the object's point at row pointY: v = omega x r. */
-    double vxAt(double pointY) {
-        return vxPxPerS - turnRadPerS * (pointY - y);
+    /** Velocity to the right of the object's point at a point of the sensor: v + omega x r + growth r. */
+    double vxAt(double pointX, double pointY) {
+        return vxPxPerS - turnRadPerS * (pointY - y) + growthPerS * (pointX - x);
     }
 
-    /** Velocity downwards of the object's point at column pointX. */
-    double vyAt(double pointX) {
-        return vyPxPerS + turnRadPerS * (pointX - x);
+    /** Velocity downwards of the same. */
+    double vyAt(double pointX, double pointY) {
+        return vyPxPerS + turnRadPerS * (pointX - x) + growthPerS * (pointY - y);
+    }
+
+    /** Where a point of the sensor lies on the object's own first axis, in px of its own size. */
+    double alongX(double pointX, double pointY) {
+        return (cos * (pointX - x) + sin * (pointY - y)) / scale;
+    }
+
+    /** The same on its second axis. */
+    double alongY(double pointX, double pointY) {
+        return (cos * (pointY - y) - sin * (pointX - x)) / scale;
     }
 
     /** Signed distance from a point of the sensor to the outline of a shape in this pose. */
     double distanceTo(Shape shape, double pointX, double pointY) {
-        double dx = pointX - x;
-        double dy = pointY - y;
-        return shape.signedDistance(cos * dx + sin * dy, cos * dy - sin * dx);
+        return scale * shape.signedDistance(alongX(pointX, pointY), alongY(pointX, pointY));
     }
 }

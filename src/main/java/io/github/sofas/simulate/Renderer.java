@@ -9,12 +9,17 @@ import java.util.List;
  * <p>An object covers a pixel by a smooth function of the signed distance d from the pixel's centre to its outline:
  * 1/2 - 3/4 u + 1/4 u³ with u = d / reach, 1 inside and 0 outside. That is a straight edge seen through an
  * Epanechnikov kernel of standard deviation reach / sqrt 5. As coverage is exactly 0 or 1 beyond the reach, only pixels
- * near an outline can change; a quadtree over the sensor finds them.
+ * near an outline can change, and those that show a texture that moves; a quadtree over the sensor finds them. Inside
+ * its outline a texture is drawn whenever it has moved by a step of its own, however fast other objects are.
  */
 final class Renderer {
     /** Told of the light of each pixel that may have changed. */
     interface Visitor {
+        /** The pixel is near the outline of at least one of some objects. */
         void light(int pixel, int x, int y, long objects, double light);
+
+        /** The pixel shows nothing but the texture of one object. */
+        void texture(int pixel, int x, int y, int object, double logLight);
     }
 
     private static final int ROOT_SIZE = 64;
@@ -30,6 +35,9 @@ final class Renderer {
     private Pose[] now;
     private final double[] coverages;
     private final double[] pulls;
+    private final int[] stepsPerDrawing;
+    private final double[] logLights;
+    private long step;
 
     /**
      * Makes one.
@@ -38,8 +46,11 @@ final class Renderer {
      * @param background light of each pixel where no object is
      * @param blurPx standard deviation of the blur in px
      * @param stepPx the farthest that any point moves between two times
+     * @param stepsPerDrawing of each textured object, in how many steps its fastest point moves as far; 0 of those that
+     *     rest or have no texture
      */
-    Renderer(SensorSize sensor, List<MovingObject> objects, double[] background, double blurPx, double stepPx) {
+    Renderer(SensorSize sensor, List<MovingObject> objects, double[] background, double blurPx, double stepPx,
+             int[] stepsPerDrawing) {
         width = sensor.width();
         height = sensor.height();
         this.objects = objects.toArray(new MovingObject[0]);
@@ -50,6 +61,11 @@ final class Renderer {
         now = poses(objects.size());
         coverages = new double[objects.size()];
         pulls = new double[objects.size()];
+        this.stepsPerDrawing = stepsPerDrawing;
+        logLights = new double[objects.size()];
+        for (int i = 0; i < this.objects.length; i++) {
+            logLights[i] = StrictMath.log(this.objects[i].light());
+        }
     }
 
     private static Pose[] poses(int count) {
@@ -65,6 +81,7 @@ final class Renderer {
         Pose[] swap = before;
         before = now;
         now = swap;
+        step++;
         for (int i = 0; i < objects.length; i++) {
             objects[i].motion().poseAt(timeS, now[i]);
         }
@@ -113,6 +130,9 @@ final class Renderer {
             edge = true;
         }
         if (!edge) {
+            if (near != 0) {
+                visitTexture(left, top, size, Long.numberOfTrailingZeros(near), visitor);
+            }
             return;
         }
         if (size > LEAF_SIZE) {
@@ -141,13 +161,34 @@ final class Renderer {
         }
     }
 
+    private void visitTexture(int left, int top, int size, int i, Visitor visitor) {
+        if (stepsPerDrawing[i] == 0 || step % stepsPerDrawing[i] != 0) {
+            return;
+        }
+        Texture texture = objects[i].texture();
+        Pose pose = now[i];
+        double alongX = pose.cos / pose.scale;
+        double alongY = -pose.sin / pose.scale;
+        int endX = Math.min(width, left + size);
+        int endY = Math.min(height, top + size);
+        for (int y = top; y < endY; y++) {
+            double startX = pose.alongX(left, y);
+            double startY = pose.alongY(left, y);
+            for (int x = left; x < endX; x++) {
+                int steps = x - left;
+                visitor.texture(y * width + x, x, y, i,
+                        logLights[i] + texture.logLightAt(startX + steps * alongX, startY + steps * alongY));
+            }
+        }
+    }
+
     private double lightAt(int pixel, int x, int y, long candidates) {
         double light = 0;
         double through = 1;
         for (long rest = candidates; rest != 0; rest &= rest - 1) {
             int i = Long.numberOfTrailingZeros(rest);
             double covered = coverage(now[i].distanceTo(objects[i].shape(), x, y));
-            light += through * covered * objects[i].light();
+            light += covered == 0 ? 0 : through * covered * objects[i].lightAt(now[i], x, y);
             through *= 1 - covered;
             if (through == 0) {
                 return light;
@@ -168,8 +209,9 @@ final class Renderer {
     }
 
     /**
-     * Which object changed a pixel's light in the last step: the one whose change of coverage moved the light most in
-     * the direction of the event, seen through what is before it and against what is behind it; the topmost of equals.
+     * Which object changed a pixel's light in the last step: the one whose change of coverage, and of its own light
+     * there, moved the light most in the direction of the event, seen through what is before it and against what is
+     * behind it; the topmost of equals.
      *
      * @param candidates the objects that {@link Visitor#light} was given for the pixel
      * @return its index, front to back
@@ -186,8 +228,10 @@ final class Renderer {
             double is = coverage(now[i].distanceTo(shape, x, y));
             double covered = (was + is) / 2;
             coverages[i] = covered;
-            pulls[i] = (is - was) * (objects[i].light() - behind) * polarity;
-            behind = covered * objects[i].light() + (1 - covered) * behind;
+            double lightWas = covered == 0 ? 0 : objects[i].lightAt(before[i], x, y);
+            double lightIs = covered == 0 ? 0 : objects[i].lightAt(now[i], x, y);
+            pulls[i] = ((is - was) * (lightIs - behind) + covered * (lightIs - lightWas)) * polarity;
+            behind = covered * lightIs + (1 - covered) * behind;
         }
         double through = 1;
         double greatest = Double.NEGATIVE_INFINITY;

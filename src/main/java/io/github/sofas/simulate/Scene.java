@@ -39,6 +39,26 @@ public enum Scene {
             Scenes::threeWandering),
     /** Many at once. */
     SIXTEEN("sixteen", "sixteen small shapes in four rows that pass each other", Scenes::sixteen),
+    /** A camera that pans past a wall. */
+    TEXTURED_PAN("textured-pan", "a textured wall sliding past at 120 px/s", TexturedScenes::pan),
+    /** A camera that rolls. */
+    TEXTURED_ROLL("textured-roll", "a textured wall turning about the middle at 0.45 to 1.35 rad/s",
+            TexturedScenes::roll),
+    /** A camera that moves forward. */
+    TEXTURED_ZOOM("textured-zoom", "a textured wall growing about the middle by 35 % a second", TexturedScenes::zoom),
+    /** A camera held by hand. */
+    TEXTURED_HAND("textured-hand", "a textured wall sliding, turning and growing at once, each at a changing rate",
+            TexturedScenes::hand),
+    /** Time to contact. */
+    COMING_NEAR("coming-near", "a plain shape that comes near: its size grows from 0.45 to 1.6 in 2.8 s",
+            TexturedScenes::comingNear),
+    /** Movers before a moving background. */
+    TEXTURED_MOVERS("textured-movers", "three textured shapes before a textured wall, all moving",
+            TexturedScenes::movers),
+    /** Light without motion. */
+    FLICKER("flicker", "a lamp that flickers at 100 Hz over a still textured scene, for 2 s", TexturedScenes::flicker),
+    /** Another one for each seed. */
+    RANDOM("random", "2 to 8 random shapes for 2.5 s, another arrangement for each seed", RandomScene::compose),
     /** Nothing at all. */
     NOISE("noise", "nothing but the sensor's own noise, for 5 s", Scenes::noise);
 

@@ -252,21 +252,23 @@ final class Scenes {
         return new World(List.of(), duration(options, NOISE_S));
     }
 
-    private static double speed(SimulationOptions options, double ownPxPerS) {
+    /** The speed asked for, or the scene's own. */
+    static double speed(SimulationOptions options, double ownPxPerS) {
         return options.speedPxPerS() == 0 ? ownPxPerS : options.speedPxPerS();
     }
 
-    private static double duration(SimulationOptions options, double ownS) {
+    /** The duration asked for, or the scene's own, in s. */
+    static double duration(SimulationOptions options, double ownS) {
         return options.durationUs() == 0 ? ownS : options.durationUs() * 1e-6;
     }
 
     /** Light of an object whose contrast is the option's times a factor; a negative factor makes it bright. */
-    private static double dark(SimulationOptions options, double factor) {
+    static double dark(SimulationOptions options, double factor) {
         return StrictMath.exp(-options.contrast() * factor);
     }
 
     /** The direction along which a scene moves, as the first of two axes that turn with it. */
-    private static final class Heading {
+    static final class Heading {
         final double angleRad;
         private final double cos;
         private final double sin;
@@ -301,11 +303,11 @@ final class Scenes {
                 durationS / 2, heading.x(speedPxPerS, 0), heading.y(speedPxPerS, 0), angleRad);
     }
 
-    private static double centreX(SimulationOptions options) {
+    static double centreX(SimulationOptions options) {
         return (options.sensor().width() - 1) / 2.0;
     }
 
-    private static double centreY(SimulationOptions options) {
+    static double centreY(SimulationOptions options) {
         return (options.sensor().height() - 1) / 2.0;
     }
 

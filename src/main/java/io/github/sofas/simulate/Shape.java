@@ -3,7 +3,7 @@ package io.github.sofas.simulate;
 /**
  * The outline of an object in its own axes, as a signed distance.
  *
- * <p>A shape is at rest and without grey level; {@link Motion} places it and {@link MovingObject} paints it.
+ * <p>A shape is at rest and without grey level or texture; {@link Motion} places it and {@link MovingObject} paints it.
  */
 interface Shape {
     /**
@@ -20,6 +20,24 @@ interface Shape {
     /** The farthest that it reaches up or down after turning by the angle. */
     default double reachDown(double angleRad) {
         return reachRight(angleRad - Math.PI / 2);
+    }
+
+    /** All there is: what lies behind everything. */
+    record Everywhere() implements Shape {
+        @Override
+        public double signedDistance(double x, double y) {
+            return Double.NEGATIVE_INFINITY;
+        }
+
+        @Override
+        public double radius() {
+            return Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public double reachRight(double angleRad) {
+            return Double.POSITIVE_INFINITY;
+        }
     }
 
     /** A disc round the origin. */

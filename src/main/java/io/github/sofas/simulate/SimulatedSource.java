@@ -21,6 +21,8 @@ public final class SimulatedSource implements EventSource {
     private static final double LONGEST_STEP_US = 10_000;
     private static final int EVENTS_AT_A_TIME = 8192;
     private static final int TEXTURE_CELL_PX = 5;
+    private static final int SPEED_SAMPLES = 200;
+    private static final double LAMP_STEP_PERIODS = 0.05;
 
     private final SensorSize sensor;
     private final DvsModel dvs;
@@ -28,18 +30,23 @@ public final class SimulatedSource implements EventSource {
     private final long passes;
     private final long durationUs;
     private final double stepUs;
+    /** How long before now an event may be that is not found yet: a texture is drawn less often than once a step. */
+    private final double longestDrawingUs;
 
     private final Renderer renderer;
     private final PixelArray pixels;
     private final double[] light;
+    private final long textured;
     private final double[] startLight;
+    /** When each pixel's light was drawn last, of pixels that textures are near. */
+    private final double[] drawnUs;
     private final long[] lastOutUs;
     private final int[] hotPixels;
     private final Random latency;
     private final Random noise;
     private final EventQueue queue = new EventQueue();
     private final Pose causePose = new Pose();
-    private final Renderer.Visitor lightChanged = this::lightChanged;
+    private final Renderer.Visitor pixelsThatChange = new Changes();
     private final PixelArray.Crossing crossed = this::crossed;
 
     private long pass;
@@ -77,19 +84,29 @@ public final class SimulatedSource implements EventSource {
         sensor = options.sensor();
         dvs = options.dvs();
         durationUs = Math.max(1, Math.round(world.durationS() * 1e6));
-        stepUs = stepUs();
+        double fastest = 0;
+        for (MovingObject object : world.objects()) {
+            fastest = Math.max(fastest, maxSpeedPxPerS(object));
+        }
+        double longestUs = world.lamp() == null ? LONGEST_STEP_US : LAMP_STEP_PERIODS * Lamp.periodS() * 1e6;
+        stepUs = fastest == 0 ? longestUs : Math.min(longestUs, STEP_PX / fastest * 1e6);
         int size = sensor.width() * sensor.height();
         Random seeds = new Random(options.seed());
         Random mismatch = new Random(seeds.nextLong());
         latency = new Random(seeds.nextLong());
         noise = new Random(seeds.nextLong());
         pixels = new PixelArray(size, dvs, mismatch);
+        int[] stepsPerDrawing = stepsPerDrawing();
+        longestDrawingUs = stepUs * Arrays.stream(stepsPerDrawing).max().orElse(0);
         renderer = new Renderer(sensor, world.objects(),
-                background(options.texture(), new Random(seeds.nextLong())), options.blurPx(), STEP_PX);
+                background(options.texture(), new Random(seeds.nextLong())), options.blurPx(), STEP_PX,
+                stepsPerDrawing);
         hotPixels = new Random(seeds.nextLong()).ints(0, size).distinct()
                 .limit(Math.min(dvs.hotPixels(), size)).toArray();
         light = new double[size];
         startLight = new double[size];
+        drawnUs = new double[size];
+        textured = textured(world);
         lastOutUs = new long[size];
         Arrays.fill(lastOutUs, -1);
         renderer.moveTo(0);
@@ -99,15 +116,39 @@ public final class SimulatedSource implements EventSource {
         startPass();
     }
 
-    private double stepUs() {
+    private double maxSpeedPxPerS(MovingObject object) {
+        Motion motion = object.motion();
+        double radius = object.shape().radius() * motion.maxScale();
+        if (Double.isInfinite(radius)) {
+            return maxSpeedInCorners(motion);
+        }
         double diagonal = Math.sqrt((double) sensor.width() * sensor.width()
                 + (double) sensor.height() * sensor.height());
+        // No visible point is farther from its object's origin than the object reaches or the sensor is wide.
+        return motion.maxSpeedPxPerS(Math.min(radius, diagonal));
+    }
+
+    /** Slid, turned and grown rigidly, the picture moves fastest in one of its corners. */
+    private double maxSpeedInCorners(Motion motion) {
         double fastest = 0;
-        for (MovingObject object : world.objects()) {
-            // No visible point is farther from its object's origin than the object reaches or the sensor is wide.
-            fastest = Math.max(fastest, object.motion().maxSpeedPxPerS(Math.min(object.shape().radius(), diagonal)));
+        Pose pose = new Pose();
+        for (int k = 0; k <= SPEED_SAMPLES; k++) {
+            motion.poseAt(world.durationS() * k / SPEED_SAMPLES, pose);
+            for (int corner = 0; corner < 4; corner++) {
+                double x = corner % 2 * (sensor.width() - 1);
+                double y = corner / 2 * (sensor.height() - 1);
+                fastest = Math.max(fastest, Math.hypot(pose.vxAt(x, y), pose.vyAt(x, y)));
+            }
         }
-        return fastest == 0 ? LONGEST_STEP_US : Math.min(LONGEST_STEP_US, STEP_PX / fastest * 1e6);
+        return fastest;
+    }
+
+    /** In how many steps each textured object moves as far as it may between two drawings; 0 where it never moves. */
+    private int[] stepsPerDrawing() {
+        return world.objects().stream().mapToInt(object -> {
+            double speed = object.texture() == null ? 0 : maxSpeedPxPerS(object);
+            return speed == 0 ? 0 : (int) Math.max(1, STEP_PX / speed * 1e6 / stepUs);
+        }).toArray();
     }
 
     /** Value noise: normally distributed values every few pixels, joined smoothly. */
@@ -144,6 +185,7 @@ public final class SimulatedSource implements EventSource {
         nowUs = 0;
         renderer.moveTo(0);
         System.arraycopy(startLight, 0, light, 0, light.length);
+        Arrays.fill(drawnUs, 0);
         pixels.restart(light);
     }
 
@@ -203,7 +245,7 @@ public final class SimulatedSource implements EventSource {
                 step();
             } while (queue.gathered() < EVENTS_AT_A_TIME && nowUs < durationUs);
             if (nowUs < durationUs) {
-                queue.release(passStartUs + (long) nowUs);
+                queue.release(passStartUs + (long) (nowUs - longestDrawingUs));
                 continue;
             }
             pass++;
@@ -224,29 +266,75 @@ public final class SimulatedSource implements EventSource {
     private void step() {
         nextUs = Math.min(durationUs, nowUs + stepUs);
         renderer.moveTo(nextUs * 1e-6);
-        renderer.visitChanging(lightChanged);
+        renderer.visitChanging(pixelsThatChange);
+        if (world.lamp() != null) {
+            flicker(world.lamp());
+        }
         addNoise();
         nowUs = nextUs;
     }
 
-    private void lightChanged(int pixel, int x, int y, long objects, double newLight) {
-        if (light[pixel] == newLight) {
-            return;
+    private static long textured(World world) {
+        long textured = 0;
+        for (int i = 0; i < world.objects().size(); i++) {
+            textured |= world.objects().get(i).texture() == null ? 0 : 1L << i;
         }
-        light[pixel] = newLight;
-        visitedX = x;
-        visitedY = y;
-        visitedObjects = objects;
-        pixels.change(pixel, StrictMath.log(newLight), nowUs, nextUs, crossed);
+        return textured;
+    }
+
+    /** Hands the light that the renderer finds to the pixels. */
+    private final class Changes implements Renderer.Visitor {
+        @Override
+        public void light(int pixel, int x, int y, long objects, double newLight) {
+            // A texture is not drawn in every step; without one, a pixel that was not visited kept its light.
+            double fromUs = (objects & textured) == 0 ? nowUs : drawnUs[pixel];
+            drawnUs[pixel] = nextUs;
+            if (light[pixel] != newLight) {
+                light[pixel] = newLight;
+                visit(x, y, objects);
+                pixels.change(pixel, StrictMath.log(newLight), fromUs, nextUs, crossed);
+            }
+        }
+
+        @Override
+        public void texture(int pixel, int x, int y, int object, double logLight) {
+            // The pixel shows more than this light says: whatever comes next is a change.
+            light[pixel] = Double.NaN;
+            visit(x, y, 1L << object);
+            pixels.change(pixel, logLight, drawnUs[pixel], nextUs, crossed);
+            drawnUs[pixel] = nextUs;
+        }
+
+        private void visit(int x, int y, long objects) {
+            visitedX = x;
+            visitedY = y;
+            visitedObjects = objects;
+        }
+    }
+
+    private void flicker(Lamp lamp) {
+        visitedObjects = 0;
+        int[] lit = lamp.pixels();
+        for (int i = 0; i < lit.length; i++) {
+            int pixel = lit[i];
+            visitedX = pixel % sensor.width();
+            visitedY = pixel / sensor.width();
+            pixels.change(pixel, StrictMath.log(startLight[pixel]) + lamp.logLight(i, nextUs * 1e-6), nowUs, nextUs,
+                crossed);
+        }
     }
 
     private void crossed(int pixel, double timeUs, int polarity) {
         int x = visitedX;
         int y = visitedY;
+        if (visitedObjects == 0) {
+            queue.add(outUs(pixel, timeUs), x, y, polarity, 0, 0, 0);
+            return;
+        }
         MovingObject object = world.objects().get(renderer.cause(pixel, x, y, visitedObjects, polarity));
         object.motion().poseAt(timeUs * 1e-6, causePose);
         queue.add(outUs(pixel, timeUs), x, y, polarity,
-                (float) causePose.vxAt(y), (float) causePose.vyAt(x), object.id());
+                (float) causePose.vxAt(x, y), (float) causePose.vyAt(x, y), object.id());
     }
 
     private void addNoise() {

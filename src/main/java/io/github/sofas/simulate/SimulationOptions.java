@@ -9,15 +9,17 @@ import java.util.Objects;
  * @param sensor the pixel array that sees the scene
  * @param durationUs length of the film in µs; 0 for the scene's own
  * @param speedPxPerS speed of the scene's first object in px/s, the others keep their ratio to it; 0 for the scene's
- *     own; for a pendulum the peak speed of its bob, for a pan that of the nearest bar, for wanderers the typical one;
- *     rotating bars do not use it
+ *     own; for a pendulum the peak speed of its bob, for a pan that of the nearest bar, for wanderers the typical one,
+ *     for walls that turn or grow that of points a quarter of the sensor's width from the middle; rotating bars, the
+ *     flickering lamp and the random scene do not use it
  * @param directionDeg direction of the first object's motion in degrees from right to down; the whole arrangement
  *     turns with it
  * @param turnsPerS rate of the rotating bars, negative from right to up
  * @param scale factor on the sizes of all objects, above 0
  * @param contrast logarithm of background light over the light of a plain dark object, above 0; a pixel with a
  *     threshold of 0.2 fires three times for 0.7
- * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain one
+ * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a
+ *     plain one, and for the own one of a scene with textures
  * @param blurPx standard deviation of the optical blur in px, above 0
  * @param turnsRound whether a camera pan slows down, turns round and comes back
  * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it

@@ -109,6 +109,7 @@ final class Wander implements Motion {
         pose.vxPxPerS = rate(knot, 0, u);
         pose.vyPxPerS = rate(knot, 1, u);
         pose.turnRadPerS = rate(knot, 2, u);
+        pose.keepSize();
     }
 
     /** Hermite's cubic through the values and rates of two knots, u from 0 to 1. */

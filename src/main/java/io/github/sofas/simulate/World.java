@@ -3,12 +3,14 @@ package io.github.sofas.simulate;
 import java.util.List;
 
 /**
- * What the camera sees: opaque objects before a background that rests.
+ * What the camera sees: opaque objects before a background that rests, or a still scene in the light of a lamp that
+ * flickers.
  *
- * @param objects front to back, at most {@value #MAX_OBJECTS}
+ * @param objects front to back, at most {@value #MAX_OBJECTS}; none where there is a lamp
+ * @param lamp null where the light is even
  * @param durationS how long it is seen, in s
  */
-record World(List<MovingObject> objects, double durationS) {
+record World(List<MovingObject> objects, Lamp lamp, double durationS) {
     /** The renderer keeps sets of objects as bits of a long. */
     static final int MAX_OBJECTS = 64;
 
@@ -17,6 +19,15 @@ record World(List<MovingObject> objects, double durationS) {
             throw new IllegalArgumentException(
                     "a world holds at most " + MAX_OBJECTS + " objects but was given " + objects.size());
         }
+        if (lamp != null && !objects.isEmpty()) {
+            throw new IllegalArgumentException("a lamp lights a still scene only but there are " + objects.size()
+                    + " objects");
+        }
         objects = List.copyOf(objects);
+    }
+
+    /** A world in even light. */
+    World(List<MovingObject> objects, double durationS) {
+        this(objects, null, durationS);
     }
 }

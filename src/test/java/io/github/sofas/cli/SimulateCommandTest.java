@@ -89,7 +89,8 @@ public class SimulateCommandTest {
     public void refusesUnknownScenesAndListsTheKnown() {
         assertUsage("unknown scene \"heptagon\"; known are rectangles, hexagon, large-circle, small-circle, pendulum, "
             + "short-bar, long-bar, two-opposite, three-crossing, four-bars, passing-behind, three-wandering, sixteen, "
-            + "noise", "heptagon");
+            + "textured-pan, textured-roll, textured-zoom, textured-hand, coming-near, textured-movers, flicker, "
+            + "random, noise", "heptagon");
     }
 
     @Test
@@ -161,6 +162,22 @@ public class SimulateCommandTest {
         Executed simulate = simulate("noise", "--duration", "0.01", "--quiet");
         assertEquals(0, simulate.exitCode);
         assertEquals("", simulate.out + simulate.err);
+    }
+
+    @Test
+    public void namesARandomSceneByItsSeed() throws IOException {
+        assertEquals(0, simulate("random:7", "--duration", "0.1").exitCode);
+        assertEquals(0, simulate("random", "--seed", "7", "--duration", "0.1").exitCode);
+        assertArrayEquals(Files.readAllBytes(out.resolve("random.truth.csv")),
+            Files.readAllBytes(out.resolve("random-7.truth.csv")));
+    }
+
+    @Test
+    public void refusesSeedsThatAreNone() {
+        assertUsage("the seed of a random scene must be a whole number but was \"x\"", "random:x");
+        assertUsage("only random takes a seed in its name but it was \"hexagon:7\"", "hexagon:7");
+        assertUsage("--seed goes with a scene without a seed in its name but it was \"random:7\"", "random:7", "--seed",
+            "3");
     }
 
     @Test

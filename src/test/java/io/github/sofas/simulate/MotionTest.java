@@ -15,10 +15,10 @@ public class MotionTest {
         // One turn in 2 pi s: 1 rad/s, from right to down. The point 10 to the right moves down at 10 px/s,
         // the point 5 below moves left at 5 px/s.
         new Motion.Rotation(100, 50, 0.3, 1).poseAt(2, pose);
-        assertEquals(0, pose.vxAt(50), 1e-12);
-        assertEquals(10, pose.vyAt(110), 1e-12);
-        assertEquals(-5, pose.vxAt(55), 1e-12);
-        assertEquals(0, pose.vyAt(100), 1e-12);
+        assertEquals(0, pose.vxAt(100, 50), 1e-12);
+        assertEquals(10, pose.vyAt(110, 50), 1e-12);
+        assertEquals(-5, pose.vxAt(100, 55), 1e-12);
+        assertEquals(0, pose.vyAt(100, 50), 1e-12);
     }
 
     @Test
@@ -92,7 +92,7 @@ public class MotionTest {
                 double turned = Math.atan2(before.cos * after.sin - before.sin * after.cos,
                         before.cos * after.cos + before.sin * after.sin);
                 assertEquals(turned / (2 * gap), pose.turnRadPerS, 1e-3);
-                double speed = Math.hypot(pose.vxAt(pose.y + 10), pose.vyAt(pose.x));
+                double speed = Math.hypot(pose.vxAt(pose.x, pose.y + 10), pose.vyAt(pose.x, pose.y + 10));
                 assertTrue(speed <= motion.maxSpeedPxPerS(10) + 1e-9);
             }
         }
@@ -112,5 +112,59 @@ public class MotionTest {
             lastAlong = along;
         }
         assertTrue("reversals " + reversals, reversals >= 5);
+    }
+
+    @Test
+    public void paceIsOneThenBendsToItsLast() {
+        Motion.Pace back = new Motion.Pace(-1, 1, 0.5);
+        assertEquals(1, back.rate(0.9), 0);
+        assertEquals("half way through the bend", 0, back.rate(1.25), 1e-12);
+        assertEquals(-1, back.rate(1.5), 1e-12);
+        // 1 s forward, the bend cancels itself, 1 s back.
+        assertEquals(1, back.travelledS(1.5), 1e-12);
+        assertEquals(0, back.travelledS(2.5), 1e-12);
+        Motion.Pace stop = new Motion.Pace(0, 1, 0.5);
+        assertEquals("half of the bend's time", 1.25, stop.travelledS(9), 1e-12);
+    }
+
+    @Test
+    public void approachingDoublesInSizeWhenHalfTheTimeToContactIsOver() {
+        Motion approach = new Motion.Approach(120, 90, 10, 0, 0, 0.5, 4, 3);
+        approach.poseAt(0, pose);
+        assertEquals(0.25, pose.growthPerS, 1e-12);
+        assertEquals(120 + 0.5 * 10, pose.x, 1e-12);
+        approach.poseAt(2, pose);
+        assertEquals(1, pose.scale, 1e-12);
+        assertEquals(0.5, pose.growthPerS, 1e-12);
+        // The point 30 px to the right of the line of sight leaves it by half its distance a second.
+        assertEquals(15, pose.vxAt(150, 90), 1e-12);
+        assertEquals(2, approach.maxScale(), 1e-12);
+    }
+
+    @Test
+    public void ratesAreDerivativesOfPlaceAngleAndSize() {
+        List<Motion> motions = List.of(new Motion.Sway(10, 20, 30, -40, 0.9, 0.35, 0.6, 1.3),
+                new Motion.Approach(120, 90, 10, -7, 0.4, 0.45, 3.9, 2.8),
+                new Motion.Journey(50, 60, 1.1, 70, -20, new Motion.Pace(-1, 0.8, 0.6), 0.3, 1.7),
+                new Motion.Journey(50, 60, 1.1, 70, -20, new Motion.Pace(0, 0.8, 0.6), 0.3, -1.7));
+        double h = 1e-5;
+        Pose later = new Pose();
+        for (Motion motion : motions) {
+            for (double t = 0.05; t < 2.5; t += 0.07) {
+                motion.poseAt(t - h, pose);
+                motion.poseAt(t + h, later);
+                double vx = (later.x - pose.x) / (2 * h);
+                double vy = (later.y - pose.y) / (2 * h);
+                double turn = Math.asin(later.sin * pose.cos - later.cos * pose.sin) / (2 * h);
+                double growth = Math.log(later.scale / pose.scale) / (2 * h);
+                motion.poseAt(t, pose);
+                assertEquals(vx, pose.vxPxPerS, 1e-4);
+                assertEquals(vy, pose.vyPxPerS, 1e-4);
+                assertEquals(turn, pose.turnRadPerS, 1e-6);
+                assertEquals(growth, pose.growthPerS, 1e-6);
+                double speed = Math.hypot(pose.vxAt(pose.x, pose.y + 10), pose.vyAt(pose.x, pose.y + 10));
+                assertTrue(speed <= motion.maxSpeedPxPerS(10) + 1e-9);
+            }
+        }
     }
 }

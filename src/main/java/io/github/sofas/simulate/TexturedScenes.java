@@ -1,0 +1,144 @@
+package io.github.sofas.simulate;
+
+import io.github.sofas.simulate.Motion.Approach;
+import io.github.sofas.simulate.Motion.Sway;
+import io.github.sofas.simulate.Scenes.Heading;
+import io.github.sofas.simulate.Shape.Box;
+import io.github.sofas.simulate.Shape.Disc;
+import io.github.sofas.simulate.Shape.Everywhere;
+import io.github.sofas.simulate.Shape.RegularPolygon;
+import java.util.List;
+import java.util.Random;
+
+/**
+ * Scenes with texture, growth or flicker. The background is an object like the others, with an id of its own.
+ *
+ * <p>Speeds of walls that turn or grow are those of points a quarter of the sensor's width from the middle.
+ */
+final class TexturedScenes {
+    /** With thresholds of 0.2 a DAVIS240C gives 350,000 events/s at 60 px/s. */
+    private static final double WALL_SD = 0.28;
+    private static final double WALL_LEAF_PX = 2.5;
+    private static final int WALL_SIDE_PX = 256;
+    private static final int SHAPE_SIDE_PX = 128;
+    private static final double LONGEST_S = 3;
+    private static final double SHORTEST_S = 0.2;
+
+    private TexturedScenes() {
+    }
+
+    static World pan(SimulationOptions options) {
+        double speed = Scenes.speed(options, 120);
+        double durationS = Scenes.duration(options, travelS(240 / speed));
+        Heading heading = new Heading(options);
+        return new World(List.of(wall(1, options, new Sway(Scenes.centreX(options), Scenes.centreY(options),
+                heading.x(speed, 0), heading.y(speed, 0), 0, 0, 0, 1))), durationS);
+    }
+
+    static World roll(SimulationOptions options) {
+        double turnRadPerS = Scenes.speed(options, 0.9 * arm(options)) / arm(options);
+        double durationS = Scenes.duration(options, travelS(2.5 * 0.9 / turnRadPerS));
+        return new World(List.of(wall(1, options, new Sway(Scenes.centreX(options), Scenes.centreY(options), 0, 0,
+                turnRadPerS, 0, 0.5, 1.5))), durationS);
+    }
+
+    static World zoom(SimulationOptions options) {
+        double growthPerS = Scenes.speed(options, 0.35 * arm(options)) / arm(options);
+        double durationS = Scenes.duration(options, travelS(2.5 * 0.35 / growthPerS));
+        return new World(List.of(wall(1, options, new Sway(Scenes.centreX(options), Scenes.centreY(options), 0, 0, 0,
+                growthPerS, 0, 1))), durationS);
+    }
+
+    static World hand(SimulationOptions options) {
+        double speed = Scenes.speed(options, 60);
+        double durationS = Scenes.duration(options, travelS(150 / speed));
+        Heading heading = new Heading(options);
+        double midS = durationS / 2;
+        return new World(List.of(wall(1, options, new Sway(Scenes.centreX(options) - midS * heading.x(speed, 0),
+                Scenes.centreY(options) - midS * heading.y(speed, 0), heading.x(speed, 0), heading.y(speed, 0),
+                speed / 100, speed / 300, 0.6, durationS / 2))), durationS);
+    }
+
+    /** The speed is that of the outline at the end. */
+    static World comingNear(SimulationOptions options) {
+        double radius = 34 * options.scale();
+        double startScale = 0.45;
+        double endScale = 1.6;
+        // 1 / (contact - t) grows from 0.45 to 1.6 of what it is at size 1.
+        double ownS = 2.8;
+        double contactShare = 1 / (1 - startScale / endScale);
+        double ownSpeed = endScale * radius / (contactShare * ownS - ownS);
+        double endS = ownS * ownSpeed / Scenes.speed(options, ownSpeed);
+        double durationS = Math.min(endS, Scenes.duration(options, endS));
+        Heading heading = new Heading(options);
+        Approach motion = new Approach(Scenes.centreX(options), Scenes.centreY(options),
+                heading.x(12 * options.scale(), 0), heading.y(12 * options.scale(), 0), heading.angleRad, startScale,
+                contactShare * endS, durationS);
+        return new World(List.of(new MovingObject(1, new RegularPolygon(5, radius), motion,
+                Scenes.dark(options, 1))), durationS);
+    }
+
+    static World movers(SimulationOptions options) {
+        double k = options.scale();
+        double speed = Scenes.speed(options, 90);
+        double durationS = Scenes.duration(options, travelS(1.6 * 90 / speed));
+        Shape[] shapes = {new Disc(26 * k), new Box(0, 0, 50 * k, 40 * k), new RegularPolygon(6, 24 * k)};
+        double[] ratios = {1, 0.8, 0.7};
+        double[] headings = {0, 170, 260};
+        double[] alongs = {-0.05, 0.12, 0.1};
+        double[] acrosses = {-0.2, 0.2, -0.12};
+        double[] contrasts = {0.5, -0.5, 0.9};
+        Random random = new Random(options.seed());
+        MovingObject[] objects = new MovingObject[4];
+        double size = Math.min(options.sensor().width(), options.sensor().height());
+        Heading at = new Heading(options);
+        for (int i = 0; i < 3; i++) {
+            Heading heading = new Heading(options.directionDeg() + headings[i]);
+            double v = ratios[i] * speed;
+            double x = Scenes.centreX(options) + at.x(alongs[i] * size, acrosses[i] * size);
+            double y = Scenes.centreY(options) + at.y(alongs[i] * size, acrosses[i] * size);
+            Motion motion = new Motion.Straight(x, y, durationS / 2, heading.x(v, 0), heading.y(v, 0),
+                    heading.angleRad);
+            objects[i] = new MovingObject(i + 1, shapes[i], motion, Scenes.dark(options, contrasts[i]),
+                    texture(options, SHAPE_SIDE_PX, random));
+        }
+        Heading against = new Heading(options.directionDeg() + 120);
+        objects[3] = wall(4, options, new Sway(Scenes.centreX(options), Scenes.centreY(options),
+                against.x(0.4 * speed, 0), against.y(0.4 * speed, 0), 0, 0, 0.3, durationS));
+        return new World(List.of(objects), durationS);
+    }
+
+    /** The scene rests, so that its texture shows only in how the light falls on it. */
+    static World flicker(SimulationOptions options) {
+        Heading heading = new Heading(options);
+        double away = 0.15 * options.sensor().width();
+        Lamp lamp = new Lamp(options.sensor(), Scenes.centreX(options) + heading.x(away, 0),
+                Scenes.centreY(options) + heading.y(away, 0), 30 * options.scale(), 0.5 * options.contrast(),
+                new Random(options.seed()));
+        return new World(List.of(), lamp, Scenes.duration(options, 2));
+    }
+
+    /** A background that is everywhere. */
+    static MovingObject wall(int id, SimulationOptions options, Motion motion) {
+        return new MovingObject(id, new Everywhere(), motion, 1,
+                texture(options, WALL_SIDE_PX, new Random(~options.seed())));
+    }
+
+    private static Texture texture(SimulationOptions options, int sidePx, Random random) {
+        return new Texture(sidePx, options.texture() == 0 ? WALL_SD : options.texture(),
+                WALL_LEAF_PX * options.scale(), options.blurPx(), random);
+    }
+
+    /** Texture of a shape. */
+    static Texture texture(SimulationOptions options, double sd, Random random) {
+        return new Texture(SHAPE_SIDE_PX, sd, WALL_LEAF_PX * options.scale(), options.blurPx(), random);
+    }
+
+    private static double arm(SimulationOptions options) {
+        return options.sensor().width() / 4.0;
+    }
+
+    private static double travelS(double seconds) {
+        return Math.max(SHORTEST_S, Math.min(LONGEST_S, seconds));
+    }
+}
