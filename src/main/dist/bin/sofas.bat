@@ -12,6 +12,5 @@ if defined SOFAS_JAVA (
 if exist "%java%\bin\java.exe" set "java=%java%\bin\java.exe"
 set "options="
 if "%~1"=="live" set "options=-XX:ThreadPriorityPolicy=1 -XX:-PrintWarnings"
-if "%~1"=="render" set "options=-XX:Tier4InvocationThreshold=20000 -XX:Tier4MinInvocationThreshold=2400 -XX:Tier4CompileThreshold=60000 -XX:Tier4BackEdgeThreshold=1000000 -XX:InlineSmallCode=1000"
 "%java%" -XX:+UseSerialGC --enable-native-access=ALL-UNNAMED %options% %SOFAS_JAVA_OPTS% -cp "%home%\lib\*" io.github.sofas.cli.Main %*
 exit /b %ERRORLEVEL%

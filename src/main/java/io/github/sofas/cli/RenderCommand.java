@@ -4,6 +4,7 @@ import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.render.FlowColours;
 import io.github.sofas.render.GifFilm;
+import io.github.sofas.render.Mp4Film;
 import io.github.sofas.render.Panel;
 import io.github.sofas.render.PictureOptions;
 import io.github.sofas.render.Theme;
@@ -58,6 +59,11 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--format", defaultValue = "MP4", paramLabel = "FORMAT",
         description = "mp4, gif or png (a ZIP file of numbered pictures); default: mp4.")
     private RenderRun.Format format;
+
+    @Option(names = "--encoder", defaultValue = "AUTO", paramLabel = "ENCODER",
+        description = "What encodes mp4: ffmpeg on PATH, jcodec (built in, slower, larger files) or auto (ffmpeg where "
+        + "it is there); default: auto.")
+    private Mp4Film.Encoder encoder;
 
     @Option(names = {"-f", "--force"}, description = "Replace a film that exists; without it, it is an error.")
     private boolean force;
@@ -152,6 +158,9 @@ final class RenderCommand implements Callable<Integer> {
             if (!quiet) {
                 err.println(String.format(Locale.ROOT, "%s: %,d pictures of %,d events, %.3f s of recording, in %.1f s",
                     run.file(), outcome.pictures(), outcome.events(), outcome.recordingS(), outcome.wallS()));
+                if (outcome.encoder() == Mp4Film.Encoder.JCODEC && encoder == Mp4Film.Encoder.AUTO) {
+                    err.println("encoded by jcodec; with ffmpeg on PATH films take less time and space");
+                }
             }
             return outcome.damage() == null ? Main.OK : Main.FAILED;
         } catch (EventSourceException e) {
@@ -225,7 +234,8 @@ final class RenderCommand implements Callable<Integer> {
         double stepUs = 1e6 / (fps * (times.slow == null ? 1 : times.slow));
         RenderRun.Timing timing = new RenderRun.Timing(fps, stepUs, times.every == null ? 0 : times.every, times.fromS,
             times.toS, times.maxPictures);
-        return new RenderRun(named.get(name), reading.recordingOptions(), method, flow, film, format, pictures, timing);
+        return new RenderRun(named.get(name), reading.recordingOptions(), method, flow, film, format, encoder,
+            pictures, timing);
     }
 
     private PictureOptions pictures() {

@@ -35,11 +35,12 @@ import java.util.Queue;
  * @param flow labels that were written before; null where the method is to label
  * @param file the film
  * @param format of the film
+ * @param encoder of MP4
  * @param pictures what a picture shows
  * @param timing when there is a picture
  */
 record RenderRun(Path recording, RecordingOptions options, MethodChoice method, Path flow, Path file, Format format,
-                 PictureOptions pictures, Timing timing) {
+                 Mp4Film.Encoder encoder, PictureOptions pictures, Timing timing) {
     private static final int BATCH = 4096;
     /** Frames that wait for their time; where there are more among the events of a batch, the oldest are not shown. */
     private static final int MOST_FRAMES = 256;
@@ -83,9 +84,10 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
      * @param stoppedEarly whether the film had its most pictures before the recording ended
      * @param faults what is wrong with the recording
      * @param damage why the recording could not be read to its end; null where it was
+     * @param encoder what encoded it; null where it is no MP4
      */
     record Outcome(long pictures, long events, double recordingS, double wallS, boolean stoppedEarly,
-                   List<String> faults, EventSourceException damage) {
+                   List<String> faults, EventSourceException damage, Mp4Film.Encoder encoder) {
     }
 
     /**
@@ -133,7 +135,8 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     + "be an event between --from and --to but there was none");
             }
             return new Outcome(shooting.pictures(), shooting.events(), shooting.recordingS(),
-                (System.nanoTime() - start) / 1e9, shooting.hasMostPictures(), reader.faults(), damage);
+                (System.nanoTime() - start) / 1e9, shooting.hasMostPictures(), reader.faults(), damage,
+                film instanceof Mp4Film ? ((Mp4Film) film).encoder() : null);
         }
     }
 
@@ -144,9 +147,9 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             case PNG:
                 return new PngFilm(files.create(file));
             default:
-                // the muxer goes back in the file, which no stream can
+                // encoders go back in the file, which no stream can
                 files.create(file).close();
-                return new Mp4Film(files.temporary(file), timing.fps());
+                return new Mp4Film(files.temporary(file), timing.fps(), encoder);
         }
     }
 
@@ -236,7 +239,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             }
             BufferedImage picture = sheet.paint(timeUs, timeUs - firstUs,
                 labeller instanceof Sofas ? (Sofas) labeller : null);
-            film.add(picture, sheet.changedBlocks());
+            film.add(picture);
             pictures++;
             most = pictures == timing.maxPictures();
             over |= most;

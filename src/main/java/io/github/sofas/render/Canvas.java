@@ -10,10 +10,10 @@ import java.util.Arrays;
  * is what has been through {@link #fill}, {@link #blend} or {@link #stamp}; whoever paints the image itself paints the
  * ground, which {@link #keepAsGround} takes.
  *
- * <p>Strips of 16 pixels of a row are remembered, one store a pixel; films are told whole blocks of 16 x 16.
+ * <p>Strips of 16 pixels of a row are remembered, one store per pixel.
  */
 final class Canvas {
-    /** Pixels of a strip, and rows of a block. */
+    /** Pixels of a strip. */
     static final int SIDE = 16;
     private static final int SHIFT = 4;
     private static final int OPAQUE = 256;
@@ -24,17 +24,14 @@ final class Canvas {
     private final int[] ground;
     /** Whether a strip was painted on since it was wiped. */
     private final boolean[] painted;
-    /** Whether a block was painted on, or wiped, since the picture before. */
-    private final boolean[] changed;
 
-    /** Makes a black canvas, with a ground to be painted; its sides must be multiples of 16. */
+    /** Makes a black canvas, with a ground to be painted; its width must be a multiple of 16. */
     Canvas(int width, int height) {
         this.width = width;
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         ground = new int[pixels.length];
         painted = new boolean[pixels.length / SIDE];
-        changed = new boolean[pixels.length / SIDE / SIDE];
     }
 
     BufferedImage image() {
@@ -45,29 +42,14 @@ final class Canvas {
         return width;
     }
 
-    /** Of each block, row by row, whether it may differ from what was there before the last call of {@link #wipe}. */
-    boolean[] changed() {
-        int across = width >> SHIFT;
-        for (int strip = 0, y = 0; strip < painted.length; y++) {
-            int block = (y >> SHIFT) * across;
-            for (int end = strip + across; strip < end; strip++, block++) {
-                changed[block] |= painted[strip];
-            }
-        }
-        return changed;
-    }
-
     /** Takes the picture as it is for the ground. */
     void keepAsGround() {
         System.arraycopy(pixels, 0, ground, 0, pixels.length);
         Arrays.fill(painted, false);
-        Arrays.fill(changed, true);
     }
 
     /** Begins a picture: the ground is all that is left. */
     void wipe() {
-        Arrays.fill(changed, false);
-        changed();
         for (int strip = 0; strip < painted.length; strip++) {
             if (painted[strip]) {
                 painted[strip] = false;

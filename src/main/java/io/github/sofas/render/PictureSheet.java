@@ -228,14 +228,6 @@ public final class PictureSheet {
         return canvas.image();
     }
 
-    /**
-     * Where the picture painted last may differ from the one before: of each block of 16 x 16 pixels, row by row,
-     * whether it may. The same array at every call, until the next picture.
-     */
-    public boolean[] changedBlocks() {
-        return canvas.changed();
-    }
-
     /** A panel alone of the picture painted last, without its title and legend; part of that picture, not a copy. */
     public BufferedImage panel(int k) {
         return canvas.image().getSubimage(left(k), top(k), panelWidth(), panelHeight());
@@ -383,9 +375,6 @@ public final class PictureSheet {
         Graphics2D g = graphics(picture);
         g.setColor(new Color(theme.page));
         g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
-        // what Mp4Film takes for ground; two columns, as two pixels share a colour
-        g.setColor(new Color(theme.sensor));
-        g.fillRect(width - 2, 0, 2, picture.getHeight());
         for (int k = 0; k < options.panels().size(); k++) {
             Panel panel = options.panels().get(k);
             g.setColor(new Color(theme.sensor));

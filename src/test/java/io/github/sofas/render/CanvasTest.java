@@ -1,13 +1,12 @@
 package io.github.sofas.render;
 
-import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import org.junit.Test;
 
-/** A picture of 32 x 32 px, four blocks, on a ground of one colour. */
+/** A picture of 32 x 32 px, two strips wide, on a ground of one colour. */
 public class CanvasTest {
     private static final int GROUND = 0x102030;
 
@@ -27,7 +26,7 @@ public class CanvasTest {
     @Test
     public void whatIsPaintedIsWipedOff() {
         Canvas canvas = canvas();
-        // over the corner where all four blocks meet
+        // over the border of two strips
         canvas.fill(15 * 32 + 15, 2, 0xFFFFFF);
         canvas.blend(3, 0xFF0000, 256);
         assertEquals(0xFFFFFF, rgb(canvas, 16, 16));
@@ -36,22 +35,6 @@ public class CanvasTest {
         for (int i = 0; i < 32 * 32; i++) {
             assertEquals(GROUND, rgb(canvas, i % 32, i / 32));
         }
-    }
-
-    @Test
-    public void blocksPaintedOnOrWipedHaveChanged() {
-        Canvas canvas = canvas();
-        assertArrayEquals("ground", new boolean[] {true, true, true, true}, canvas.changed());
-        canvas.wipe();
-        assertArrayEquals("nothing", new boolean[4], canvas.changed());
-        canvas.fill(5, 1, 0xFFFFFF);
-        canvas.fill(20 * 32 + 15, 2, 0xFFFFFF);
-        assertArrayEquals("painted", new boolean[] {true, false, true, true}, canvas.changed());
-        canvas.wipe();
-        canvas.blend(16, 0xFFFFFF, 1);
-        assertArrayEquals("wiped and painted", new boolean[] {true, true, true, true}, canvas.changed());
-        canvas.wipe();
-        assertArrayEquals("wiped", new boolean[] {false, true, false, false}, canvas.changed());
     }
 
     @Test
