@@ -10,11 +10,15 @@ final class ReadingOptions {
             + "also a size such as 640x480.")
     private String chip;
 
+    @Option(names = "--force-chip",
+        description = "Take --chip even where the recording names another, or where its addresses speak against it.")
+    private boolean forceChip;
+
     @Option(names = "--strict",
         description = "Take a step back in time for damage; without it the event gets the time of the one before.")
     private boolean strict;
 
     RecordingOptions recordingOptions() {
-        return RecordingOptions.defaults().withChip(chip).withStrict(strict);
+        return RecordingOptions.defaults().withChip(chip).withStrict(strict).withForceChip(forceChip);
     }
 }

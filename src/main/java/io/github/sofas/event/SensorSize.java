@@ -32,6 +32,17 @@ public record SensorSize(int width, int height) {
         return x >= 0 && x < width && y >= 0 && y < height;
     }
 
+    /** The rule that a pixel outside the sensor breaks, with its value, as messages have it; null for one on it. */
+    public String brokenRule(int x, int y) {
+        if (x < 0 || y < 0) {
+            return x < 0 ? "x must not be negative but was " + x : "y must not be negative but was " + y;
+        }
+        if (x >= width) {
+            return "x must be smaller than width " + width + " but was " + x;
+        }
+        return y < height ? null : "y must be smaller than height " + height + " but was " + y;
+    }
+
     @Override
     public String toString() {
         return width + "x" + height;

@@ -37,18 +37,11 @@ import java.io.IOException;
 final class Aedat2Reader extends RecordingReader {
     /** Stands for the next code after a spoiled IMU sample, whose rest is passed over. */
     private static final int SKIP_TO_NEXT_IMU = -1;
-    /** Steps of time from 0 to below 2^31 µs are what they seem; all others are looked at. */
-    private static final int STEP_BITS = 31;
     /** How far an event may have been overtaken by an overflow of time and still be recognised. */
     private static final long STRAGGLER_US = 1_000_000;
 
     private final int recordBytes;
     private final Chip.AddressLayout layout;
-
-    /** What the overflows so far are worth, µs. */
-    private long wrapUs;
-    /** Time of the last event as the file holds it. */
-    private int lastRawTime;
     /** Code that the next word of an IMU sample must have; 0 between samples. */
     private int nextImuCode;
     /** The words of the IMU sample so far. */
@@ -99,9 +92,7 @@ final class Aedat2Reader extends RecordingReader {
         byte[] polarity = batch.polarity;
         int capacity = batch.capacity();
         int n = 0;
-        long last = lastTimeUs;
-        long wrap = wrapUs;
-        int lastRaw = lastRawTime;
+        long start = file.offset() - p;
         try {
             for (; p <= lastRecord && n < capacity; p += stride) {
                 int address = stride == RECORD_BYTES_1
@@ -114,25 +105,16 @@ final class Aedat2Reader extends RecordingReader {
                     }
                     strangeAddress(address, n, p);
                 }
-                long time = raw + wrap;
-                if (time - last >>> STEP_BITS != 0) {
-                    lastRawTime = lastRaw;
-                    lastTimeUs = last;
-                    time = orderedTime(raw, n, p);
-                    wrap = wrapUs;
-                }
-                lastRaw = raw;
-                last = time;
-                timeUs[n] = time;
+                note(n, start + p);
+                timeUs[n] = raw;
                 x[n] = (short) (DVS128_MASK - (address >>> DVS128_X_SHIFT & DVS128_MASK));
                 y[n] = (short) (DVS128_MASK - (address >>> DVS128_Y_SHIFT & DVS128_MASK));
                 polarity[n] = (byte) (1 - 2 * (address & DVS128_OFF));
                 n++;
             }
         } finally {
-            lastRawTime = lastRaw;
             file.position = p;
-            deliver(batch, n, last);
+            deliver(batch, n);
         }
     }
 
@@ -148,9 +130,7 @@ final class Aedat2Reader extends RecordingReader {
         int lastColumn = sensor().width() - 1;
         int lastRow = sensor().height() - 1;
         int n = 0;
-        long last = lastTimeUs;
-        long wrap = wrapUs;
-        int lastRaw = lastRawTime;
+        long start = file.offset() - p;
         try {
             for (; p <= lastRecord && n < capacity; p += RECORD_BYTES_2) {
                 int address = (int) INT.get(buffer, p);
@@ -165,25 +145,16 @@ final class Aedat2Reader extends RecordingReader {
                     outside(lastColumn - column, lastRow - row, eventNumber(n), offsetOf(p));
                     continue;
                 }
-                long time = raw + wrap;
-                if (time - last >>> STEP_BITS != 0) {
-                    lastRawTime = lastRaw;
-                    lastTimeUs = last;
-                    time = orderedTime(raw, n, p);
-                    wrap = wrapUs;
-                }
-                lastRaw = raw;
-                last = time;
-                timeUs[n] = time;
+                note(n, start + p);
+                timeUs[n] = raw;
                 x[n] = (short) column;
                 y[n] = (short) row;
                 polarity[n] = (byte) ((address >>> DAVIS_ON_SHIFT & 1) * 2 - 1);
                 n++;
             }
         } finally {
-            lastRawTime = lastRaw;
             file.position = p;
-            deliver(batch, n, last);
+            deliver(batch, n);
         }
     }
 
@@ -196,7 +167,7 @@ final class Aedat2Reader extends RecordingReader {
                 if (apsFrames == null) {
                     apsFrames = new ApsFrames(sensor(), frameReceiver);
                 }
-                apsFrames.take(address, (int) INT.get(file.buffer, p + Integer.BYTES) + wrapUs);
+                apsFrames.take(address, timeOf((int) INT.get(file.buffer, p + Integer.BYTES)));
             }
         } else {
             takeImuWord(address, n, p);
@@ -210,7 +181,7 @@ final class Aedat2Reader extends RecordingReader {
             if (code == IMU_WORDS - 1) {
                 imuSamples++;
                 if (imuReceiver != null) {
-                    imuReceiver.accept(new ImuSample((int) INT.get(file.buffer, p + Integer.BYTES) + wrapUs,
+                    imuReceiver.accept(new ImuSample(timeOf((int) INT.get(file.buffer, p + Integer.BYTES)),
                             imuWords[IMU_GYRO_X], imuWords[IMU_GYRO_X + 1], imuWords[IMU_GYRO_X + 2]));
                 }
             }
@@ -227,26 +198,19 @@ final class Aedat2Reader extends RecordingReader {
     }
 
     private void strangeAddress(int address, int n, int p) {
+        malformedRecords++;
         addFault("address", () -> at(eventNumber(n), offsetOf(p)) + "malformed, a DVS128 address must have 16 bits "
                 + String.format("but was 0x%08X", address) + "; its low 16 bits were used");
     }
 
-    /** Decides what it means that an event's time lies below the one before, or far above it. */
-    private long orderedTime(int raw, int n, int p) throws MalformedRecordingException {
-        long time = raw + wrapUs;
-        if (time >= lastTimeUs) {
-            if (timeWraps == 0 || time - WRAP_US < lastTimeUs - STRAGGLER_US) {
-                // The first event, or one after a long pause.
-                return time;
-            }
-            // An event of before the overflow that came after it; the next event overflows again.
-            timeWraps--;
-            wrapUs -= WRAP_US;
-        } else if (lastRawTime > 0 && raw <= 0) {
-            timeWraps++;
-            wrapUs += WRAP_US;
+    /** As in jAER, a step from a positive to a zero or negative time is an overflow. */
+    @Override
+    long step(long fromUs, long toUs) {
+        long step = toUs - fromUs;
+        if (step < 0 && fromUs > 0 && toUs <= 0) {
+            return step + WRAP_US;
         }
-        time = raw + wrapUs;
-        return time >= lastTimeUs ? time : stepBack(time, eventNumber(n), offsetOf(p));
+        // an event of before the overflow that came after it
+        return step >= WRAP_US - STRAGGLER_US && timeWraps() > 0 ? step - WRAP_US : step;
     }
 }

@@ -90,13 +90,9 @@ public final class Aedat2Writer implements Closeable {
     }
 
     private String brokenRule(EventBatch batch, int i) {
-        int width = chip.sensor().width();
-        int height = chip.sensor().height();
-        if (batch.x[i] < 0 || batch.x[i] >= width) {
-            return "x must be smaller than width " + width + " but was " + batch.x[i];
-        }
-        if (batch.y[i] < 0 || batch.y[i] >= height) {
-            return "y must be smaller than height " + height + " but was " + batch.y[i];
+        String outside = chip.sensor().brokenRule(batch.x[i], batch.y[i]);
+        if (outside != null) {
+            return outside;
         }
         return batch.timeUs[i] >= lastTimeUs ? null
                 : "time must not fall below " + lastTimeUs + " us but was " + batch.timeUs[i] + " us";

@@ -73,7 +73,7 @@ final class Aedat3Reader extends RecordingReader {
             }
             return true;
         } finally {
-            deliver(batch, n, lastTimeUs);
+            deliver(batch, n);
         }
     }
 
@@ -87,7 +87,6 @@ final class Aedat3Reader extends RecordingReader {
         int width = sensor().width();
         int height = sensor().height();
         int n = from;
-        long last = lastTimeUs;
         try {
             for (; p < end; p += stride) {
                 int word = (int) INT.get(buffer, p);
@@ -102,11 +101,7 @@ final class Aedat3Reader extends RecordingReader {
                     continue;
                 }
                 long time = overflow + (int) INT.get(buffer, p + timeAt);
-                if (time < last) {
-                    lastTimeUs = last;
-                    time = stepBack(time, eventNumber(n), offsetOf(p));
-                }
-                last = time;
+                note(n, offsetOf(p));
                 batch.timeUs[n] = time;
                 batch.x[n] = (short) column;
                 batch.y[n] = (short) row;
@@ -116,7 +111,6 @@ final class Aedat3Reader extends RecordingReader {
         } finally {
             eventsLeft -= (p - file.position) / stride;
             file.position = p;
-            lastTimeUs = last;
         }
         return n;
     }

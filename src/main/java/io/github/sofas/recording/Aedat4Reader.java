@@ -91,7 +91,7 @@ final class Aedat4Reader extends RecordingReader {
             }
             return true;
         } finally {
-            deliver(batch, n, lastTimeUs);
+            deliver(batch, n);
         }
     }
 
@@ -106,7 +106,6 @@ final class Aedat4Reader extends RecordingReader {
         int width = sensor().width();
         int height = sensor().height();
         int n = from;
-        long last = lastTimeUs;
         try {
             for (; p < end; p += EVENT_BYTES) {
                 int pixel = (int) INT.get(bytes, p + EVENT_PIXEL_AT);
@@ -116,13 +115,8 @@ final class Aedat4Reader extends RecordingReader {
                     outside(column, row, eventNumber(n), packetOffset);
                     continue;
                 }
-                long time = (long) LONG.get(bytes, p);
-                if (time < last) {
-                    lastTimeUs = last;
-                    time = stepBack(time, eventNumber(n), packetOffset);
-                }
-                last = time;
-                timeUs[n] = time;
+                note(n, packetOffset);
+                timeUs[n] = (long) LONG.get(bytes, p);
                 x[n] = (short) column;
                 y[n] = (short) row;
                 polarity[n] = (byte) (bytes[p + EVENT_POLARITY_AT] != 0 ? 1 : -1);
@@ -131,7 +125,6 @@ final class Aedat4Reader extends RecordingReader {
         } finally {
             eventsLeft -= (p - nextEventAt) / EVENT_BYTES;
             nextEventAt = p;
-            lastTimeUs = last;
         }
         return n;
     }

@@ -13,25 +13,28 @@ import java.util.regex.Pattern;
  * @param name how header or caller call it; null where only a size is known
  * @param chip the chip, null where only its size is known
  * @param sensor its size
- * @param fault what is to be reported about the choice, or null
+ * @param note what is to be said about the choice, or null
+ * @param asked whether the caller named it, and not the header
  */
-record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
+record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolean asked) {
     private static final String OR_SIZE = " or a size such as 240x180";
     private static final Pattern SIZE = Pattern.compile("(\\d{1,5})[xX](\\d{1,5})");
 
     /** Chooses for a format whose addresses can only be decoded with the chip's layout. */
-    static ChipChoice withLayout(String fileName, String headerChip, String optionChip) throws EventSourceException {
-        ChipChoice choice = choose(fileName, headerChip, optionChip, "");
+    static ChipChoice withLayout(String fileName, String headerChip, RecordingOptions options)
+            throws EventSourceException {
+        ChipChoice choice = choose(fileName, headerChip, options, "");
         if (choice.chip == null) {
             throw new EventSourceException("[" + fileName + "] --chip must name one of " + Chip.knownNames()
-                    + ", because a size does not say how addresses are packed, but was " + optionChip);
+                    + ", because a size does not say how addresses are packed, but was " + options.chip());
         }
         return choice;
     }
 
     /** Chooses for a format that holds plain coordinates but no size: a size such as 240x180 serves too. */
-    static ChipChoice withSize(String fileName, String headerChip, String optionChip) throws EventSourceException {
-        return choose(fileName, headerChip, optionChip, OR_SIZE);
+    static ChipChoice withSize(String fileName, String headerChip, RecordingOptions options)
+            throws EventSourceException {
+        return choose(fileName, headerChip, options, OR_SIZE);
     }
 
     /**
@@ -42,9 +45,10 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
      * @param height rows likewise
      */
     static ChipChoice withOwnSize(String fileName, long headerOffset, String headerChip, String width, String height,
-                                  String optionChip) throws EventSourceException {
-        if (width == null || height == null) {
-            return choose(fileName, headerChip, optionChip, OR_SIZE);
+                                  RecordingOptions options) throws EventSourceException {
+        String optionChip = options.chip();
+        if (width == null || height == null || options.forceChip() && optionChip != null) {
+            return choose(fileName, headerChip, options, OR_SIZE);
         }
         SensorSize sensor;
         try {
@@ -58,20 +62,21 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         boolean differs = optionChip != null && !named(fileName, optionChip).sensor.equals(sensor);
         return new ChipChoice(headerChip, null, sensor, !differs ? null
                 : "[" + fileName + "] the header names a sensor of " + sensor + ", so --chip " + optionChip
-                + " was not used");
+                + " was not used; --force-chip uses it", false);
     }
 
-    private static ChipChoice choose(String fileName, String headerChip, String optionChip, String orSize)
+    private static ChipChoice choose(String fileName, String headerChip, RecordingOptions options, String orSize)
             throws EventSourceException {
+        String optionChip = options.chip();
         ChipChoice option = optionChip == null ? null : named(fileName, optionChip);
         Optional<Chip> header = headerChip == null ? Optional.empty() : Chip.named(headerChip);
-        if (header.isPresent()) {
+        if (header.isPresent() && !(options.forceChip() && option != null)) {
             Chip chip = header.get();
             boolean differs = option != null && !(option.sensor.equals(chip.sensor())
                     && (option.chip == null || option.chip.layout() == chip.layout()));
             return new ChipChoice(chip.name(), chip, chip.sensor(), !differs ? null
                     : "[" + fileName + "] the header names " + chip.name() + ", so --chip " + optionChip
-                    + " was not used");
+                    + " was not used; --force-chip uses it", false);
         }
         if (option == null) {
             throw new EventSourceException("[" + fileName + "] " + (headerChip == null
@@ -79,14 +84,14 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
                     + ": --chip must name one of " + Chip.knownNames() + orSize);
         }
         return headerChip == null ? option : new ChipChoice(option.name, option.chip, option.sensor,
-                "[" + fileName + "] the header's chip " + headerChip + " is not known, so --chip " + optionChip
-                + " was used");
+                "[" + fileName + "] the header's chip " + headerChip
+                + (header.isPresent() ? " is set aside" : " is not known") + ", so --chip " + optionChip + " was used", true);
     }
 
     private static ChipChoice named(String fileName, String name) throws EventSourceException {
         Optional<Chip> chip = Chip.named(name);
         if (chip.isPresent()) {
-            return new ChipChoice(chip.get().name(), chip.get(), chip.get().sensor(), null);
+            return new ChipChoice(chip.get().name(), chip.get(), chip.get().sensor(), null, true);
         }
         Matcher size = SIZE.matcher(name);
         if (!size.matches()) {
@@ -95,16 +100,19 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String fault) {
         }
         try {
             return new ChipChoice(null, null,
-                    new SensorSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2))), null);
+                    new SensorSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2))), null, true);
         } catch (IllegalArgumentException e) {
             throw new EventSourceException("[" + fileName + "] --chip " + name + ": " + e.getMessage(), e);
         }
     }
 
-    /** Hands what there is to report to the reader. */
+    /** Hands what there is to report to the reader; every reader is told of its choice. */
     void reportTo(RecordingReader reader) {
-        if (fault != null) {
-            reader.addFault("chip", () -> fault);
+        if (asked) {
+            reader.chipIsAsked();
+        }
+        if (note != null) {
+            reader.addNote(note);
         }
     }
 }

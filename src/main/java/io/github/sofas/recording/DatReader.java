@@ -26,7 +26,6 @@ final class DatReader extends RecordingReader {
     private final int yShift;
     private final int yMask;
     private final int onShift;
-    private long wrapUs;
 
     private DatReader(RecordingFile file, RecordingOptions options, boolean isVersion1, ChipChoice choice) {
         super(file, options, isVersion1 ? "DAT 1" : "DAT 2", choice.name(), choice.sensor());
@@ -74,7 +73,6 @@ final class DatReader extends RecordingReader {
         int width = sensor().width();
         int height = sensor().height();
         int n = 0;
-        long last = lastTimeUs;
         try {
             for (; p <= lastRecord && n < capacity; p += RECORD_BYTES) {
                 int word = (int) INT.get(buffer, p + Integer.BYTES);
@@ -84,13 +82,8 @@ final class DatReader extends RecordingReader {
                     outside(column, row, eventNumber(n), offsetOf(p));
                     continue;
                 }
-                long time = ((int) INT.get(buffer, p) & 0xFFFFFFFFL) + wrapUs;
-                if (time < last) {
-                    lastTimeUs = last;
-                    time = orderedTime(time, n, p);
-                }
-                last = time;
-                batch.timeUs[n] = time;
+                note(n, offsetOf(p));
+                batch.timeUs[n] = (int) INT.get(buffer, p) & 0xFFFFFFFFL;
                 batch.x[n] = (short) column;
                 batch.y[n] = (short) row;
                 batch.polarity[n] = (byte) ((word >>> onShift & 1) * 2 - 1);
@@ -98,18 +91,14 @@ final class DatReader extends RecordingReader {
             }
         } finally {
             file.position = p;
-            deliver(batch, n, last);
+            deliver(batch, n);
         }
         return true;
     }
 
     /** Takes a step back by more than half the range for an overflow. */
-    private long orderedTime(long time, int n, int p) throws MalformedRecordingException {
-        if (lastTimeUs - time > WRAP_US / 2) {
-            wrapUs += WRAP_US;
-            timeWraps++;
-            return time + WRAP_US;
-        }
-        return stepBack(time, eventNumber(n), offsetOf(p));
+    @Override
+    long step(long fromUs, long toUs) {
+        return overflowingStep(fromUs, toUs, WRAP_US, WRAP_US / 2);
     }
 }

@@ -56,7 +56,7 @@ final class EventStreamReader extends RecordingReader {
                     + " (DVS) but were of type " + type + (type < TYPES.length ? " (" + TYPES[type] + ")" : ""));
         }
         ChipChoice choice = ChipChoice.withOwnSize(file.name, WIDTH_AT, null, number(file, at + WIDTH_AT),
-                number(file, at + HEIGHT_AT), options.chip());
+                number(file, at + HEIGHT_AT), options);
         file.position += HEADER_BYTES;
         RecordingReader reader = new EventStreamReader(file, options, choice);
         choice.reportTo(reader);
@@ -100,6 +100,7 @@ final class EventStreamReader extends RecordingReader {
                     outside(column, up, eventNumber(n), offsetOf(p - EVENT_BYTES));
                     continue;
                 }
+                note(n, offsetOf(p - EVENT_BYTES));
                 batch.timeUs[n] = time;
                 batch.x[n] = (short) column;
                 batch.y[n] = (short) (height - 1 - up);
@@ -109,7 +110,7 @@ final class EventStreamReader extends RecordingReader {
         } finally {
             timeUs = time;
             file.position = p;
-            deliver(batch, n, time);
+            deliver(batch, n);
         }
         if (p < limit && n < capacity && !file.require(EVENT_BYTES)) {
             throw malformed(eventNumber(0), file.offset(), "truncated, an event must have " + EVENT_BYTES

@@ -61,7 +61,7 @@ final class Evt21Reader extends EvtReader {
             }
         } finally {
             file.position = p;
-            deliver(batch, n, lastTimeUs);
+            deliver(batch, n);
         }
     }
 }

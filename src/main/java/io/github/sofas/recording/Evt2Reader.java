@@ -36,7 +36,6 @@ final class Evt2Reader extends EvtReader {
         int width = sensor().width();
         int height = sensor().height();
         int n = already;
-        long last = lastTimeUs;
         try {
             for (; p <= lastWord && n < capacity; p += Integer.BYTES) {
                 int word = (int) INT.get(buffer, p);
@@ -51,13 +50,8 @@ final class Evt2Reader extends EvtReader {
                     outside(column, row, eventNumber(n), offsetOf(p));
                     continue;
                 }
-                long time = highUs + (word >>> TIME_SHIFT_2 & TIME_MASK_2);
-                if (time < last) {
-                    lastTimeUs = last;
-                    time = stepBack(time, eventNumber(n), offsetOf(p));
-                }
-                last = time;
-                batch.timeUs[n] = time;
+                note(n, offsetOf(p));
+                batch.timeUs[n] = highUs + (word >>> TIME_SHIFT_2 & TIME_MASK_2);
                 batch.x[n] = (short) column;
                 batch.y[n] = (short) row;
                 batch.polarity[n] = (byte) (2 * type - 1);
@@ -65,7 +59,7 @@ final class Evt2Reader extends EvtReader {
             }
         } finally {
             file.position = p;
-            deliver(batch, n, last);
+            deliver(batch, n);
         }
     }
 

@@ -63,12 +63,8 @@ final class Evt3Reader extends EvtReader {
                             notOnSensor(column, y, n, p);
                             break;
                         }
-                        long delivered = time;
-                        if (time < lastTimeUs) {
-                            delivered = stepBack(time, eventNumber(n), offsetOf(p));
-                        }
-                        lastTimeUs = delivered;
-                        batch.timeUs[n] = delivered;
+                        note(n, offsetOf(p));
+                        batch.timeUs[n] = time;
                         batch.x[n] = (short) column;
                         batch.y[n] = (short) y;
                         batch.polarity[n] = (byte) ((word & ON_3) == 0 ? -1 : 1);
@@ -109,7 +105,7 @@ final class Evt3Reader extends EvtReader {
             row = y;
             timeUs = time;
             file.position = p;
-            deliver(batch, n, lastTimeUs);
+            deliver(batch, n);
         }
     }
 

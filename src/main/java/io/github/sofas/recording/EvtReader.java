@@ -12,9 +12,8 @@ abstract class EvtReader extends RecordingReader {
     private final long rangeUs;
     private final long wrapStepUs;
 
-    /** Time of the high bits met last, overflows included, µs; negative before the first. */
+    /** Time of the high bits met last, µs; negative before the first. */
     long highUs = -1;
-    private long wrapUs;
 
     // The vector whose events did not all fit into the batch.
     int vectorMask;
@@ -82,15 +81,14 @@ abstract class EvtReader extends RecordingReader {
         }
     }
 
-    /** Takes the high bits of time, as the word has them but in µs, and undoes overflows. */
+    /** Takes the high bits of time, as the word has them but in µs. */
     final void timeHigh(long rawUs) {
-        long time = rawUs + wrapUs;
-        if (highUs - time >= wrapStepUs) {
-            wrapUs += rangeUs;
-            time += rangeUs;
-            timeWraps++;
-        }
-        highUs = time;
+        highUs = rawUs;
+    }
+
+    @Override
+    final long step(long fromUs, long toUs) {
+        return overflowingStep(fromUs, toUs, rangeUs, wrapStepUs);
     }
 
     /**
@@ -117,11 +115,7 @@ abstract class EvtReader extends RecordingReader {
                 outside(column, vectorY, eventNumber(next), offsetOf(p));
                 continue;
             }
-            // all events of a vector have one time, so what strict refuses is its first: nothing of it is lost
-            if (vectorUs < lastTimeUs) {
-                time = stepBack(time, eventNumber(next), offsetOf(p));
-            }
-            lastTimeUs = time;
+            note(next, offsetOf(p));
             batch.timeUs[next] = time;
             batch.x[next] = (short) column;
             batch.y[next] = (short) vectorY;

@@ -38,14 +38,13 @@ final class NMnistReader extends RecordingReader {
         int lastEvent = file.limit - EVENT_BYTES;
         int p = file.position;
         int n = 0;
-        long last = lastTimeUs;
         try {
             for (; p <= lastEvent && n < batch.capacity(); p += EVENT_BYTES) {
                 int column = buffer[p] & 0xFF;
                 int row = buffer[p + 1] & 0xFF;
                 if (row == OVERFLOW_ROW) {
                     overflowUs += OVERFLOW_US;
-                    timeWraps++;
+                    timeWrapped();
                     continue;
                 }
                 if (!sensor().contains(column, row)) {
@@ -55,11 +54,7 @@ final class NMnistReader extends RecordingReader {
                 int high = buffer[p + 2];
                 long time = overflowUs + ((high & TIME_HIGH_MASK) << 16 | (buffer[p + 3] & 0xFF) << 8
                         | buffer[p + 4] & 0xFF);
-                if (time < last) {
-                    lastTimeUs = last;
-                    time = stepBack(time, eventNumber(n), offsetOf(p));
-                }
-                last = time;
+                note(n, offsetOf(p));
                 batch.timeUs[n] = time;
                 batch.x[n] = (short) column;
                 batch.y[n] = (short) row;
@@ -68,7 +63,7 @@ final class NMnistReader extends RecordingReader {
             }
         } finally {
             file.position = p;
-            deliver(batch, n, last);
+            deliver(batch, n);
         }
         return true;
     }

@@ -13,7 +13,22 @@ package io.github.sofas.recording;
  * @param stepsBack events delivered with a later time than their own, because time had stepped back
  * @param timeWraps overflows of 32-bit time that were undone
  * @param otherRecords records or packets of kinds that are not served; passed over
+ * @param malformed records with bits that no recorder sets; delivered as what else they say
+ * @param damagedTimes events whose time is far from that of all events around them; not delivered
+ * @param timeRestarts how often the clock was set back; time then goes on from the greatest before
  */
 public record RecordingCounts(long events, long apsSamples, long frames, long imuSamples, long triggers, long invalid,
-                              long outsideSensor, long stepsBack, long timeWraps, long otherRecords) {
+                              long outsideSensor, long stepsBack, long timeWraps, long otherRecords,
+                              long malformed, long damagedTimes, long timeRestarts) {
+
+    /**
+     * Share of the events that the file does not hold as they were, 0 to 1: dropped because of their pixel or time, or
+     * delivered with another time or only a part of their address. Those that a recorder marked as invalid are not
+     * among them, for that was meant.
+     */
+    public double doubtfulShare() {
+        long dropped = outsideSensor + damagedTimes;
+        long all = events + dropped;
+        return all == 0 ? 0 : (double) (dropped + stepsBack + malformed) / all;
+    }
 }

@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
@@ -23,11 +24,15 @@ final class RecordingFile implements Closeable {
 
     private final FileChannel channel;
     private final ByteBuffer view = ByteBuffer.wrap(buffer);
+    private final long sizeAtFirst;
+    private final boolean isSeekable;
     private long bufferOffset;
 
     RecordingFile(Path path) throws IOException {
         name = Printable.of(path.getFileName() == null ? path.toString() : path.getFileName().toString());
         channel = FileChannel.open(path, StandardOpenOption.READ);
+        sizeAtFirst = channel.size();
+        isSeekable = Files.isRegularFile(path);
     }
 
     /** Where in the file the next byte lies. */
@@ -38,6 +43,16 @@ final class RecordingFile implements Closeable {
     /** How many bytes the file has now. */
     long size() throws IOException {
         return channel.size();
+    }
+
+    /** How many bytes the file had when it was opened; 0 for what is no file but a stream. */
+    long sizeAtFirst() {
+        return sizeAtFirst;
+    }
+
+    /** Whether any place of it can be read, which is not so of a stream. */
+    boolean isSeekable() {
+        return isSeekable;
     }
 
     /** How many bytes are buffered. */

@@ -22,21 +22,27 @@ import java.util.function.Supplier;
  * <p>Used by one thread. What it holds in memory is written in the package's description.
  */
 public abstract class RecordingReader implements EventSource {
+    /** Events that are decoded at once where some wait for those behind them. */
+    private static final int BEHIND = 4096;
+    /** Where a larger share of the events is out of order, it is not some that are damaged. */
+    private static final double MOST_OUT_OF_ORDER = 0.1;
+    private static final int FEWEST_FOR_ORDER = 100;
+    /** Where more lie outside, the sensor is another. */
+    private static final double MOST_OUTSIDE = 0.1;
+    private static final int FEWEST_OUTSIDE = 20;
+
     final RecordingFile file;
     final boolean strict;
 
-    /** Greatest time delivered so far. */
-    long lastTimeUs = Long.MIN_VALUE;
-    long events;
     long apsSamples;
     long frames;
     long imuSamples;
     long triggers;
     long invalid;
     long outsideSensor;
-    long stepsBack;
-    long timeWraps;
     long otherRecords;
+    /** Records with bits that no recorder sets; what could be read of them was used. */
+    long malformedRecords;
     /** Gets IMU samples; null where no one wants them. */
     Consumer<ImuSample> imuReceiver;
     /** Gets frames; null where no one wants them. */
@@ -46,8 +52,25 @@ public abstract class RecordingReader implements EventSource {
     private final String chipName;
     private final SensorSize sensor;
     private final Map<String, Fault> faults = new LinkedHashMap<>();
-    private long firstTimeUs;
+    private boolean chipIsAsked;
+    private int greatestX;
+    private int greatestY;
+    private final List<String> notes = new ArrayList<>();
+    private final TimeOrder order = new TimeOrder(this);
+    /** Takes what is decoded while events wait that come before it. */
+    private EventBatch behind;
+    /** Number and place of each event of the batch that is being decoded. */
+    private long[] numbers = new long[0];
+    private long[] places = new long[0];
+    /** Events decoded; those that are delivered are fewer where times are damaged, or where some wait. */
+    private long decoded;
+    private long events;
+    private long stepsBack;
+    private long damagedTimes;
+    private long timeRestarts;
+    private long timeWraps;
     private boolean ended;
+    private boolean closed;
     private EventSourceException damage;
 
     /** One kind of fault: where it was met first, and how often. */
@@ -70,12 +93,38 @@ public abstract class RecordingReader implements EventSource {
     }
 
     /**
-     * Decodes what follows into the empty batch. What was passed to {@link #deliver} before an exception is
-     * delivered, and then the exception is thrown.
+     * Decodes what follows into the empty batch, with the times that the file holds, in whatever order; {@link #note}
+     * is called for each event. What was passed to {@link #deliver} before an exception is delivered, and then the
+     * exception is thrown.
      *
      * @return false at the end of the recording; true where more may follow, even if the batch is still empty
      */
     abstract boolean decode(EventBatch batch) throws EventSourceException, IOException;
+
+    /**
+     * How far the clock went from one time of the file to another, in µs: less than 0 where it stepped back. Clocks of
+     * few bits, which start again after an overflow, have a rule of their own.
+     */
+    long step(long fromUs, long toUs) {
+        long step = toUs - fromUs;
+        boolean overflows = ((toUs ^ fromUs) & (toUs ^ step)) < 0;
+        return !overflows ? step : toUs > fromUs ? Long.MAX_VALUE : Long.MIN_VALUE;
+    }
+
+    /**
+     * The step of a clock that begins again with 0.
+     *
+     * @param rangeUs after which it does
+     * @param leastBackUs the smallest step back that is an overflow
+     */
+    final long overflowingStep(long fromUs, long toUs, long rangeUs, long leastBackUs) {
+        long step = toUs - fromUs;
+        if (step <= -leastBackUs) {
+            return step + rangeUs;
+        }
+        // an event of before the overflow that came after it
+        return step >= leastBackUs && timeWraps > 0 ? step - rangeUs : step;
+    }
 
     @Override
     public final SensorSize sensor() {
@@ -100,7 +149,7 @@ public abstract class RecordingReader implements EventSource {
     /** What has been met up to the end of the last batch; in a batch's middle, up to what was decoded for it. */
     public final RecordingCounts counts() {
         return new RecordingCounts(events, apsSamples, frames, imuSamples, triggers, invalid, outsideSensor, stepsBack,
-                timeWraps, otherRecords);
+                timeWraps, otherRecords, malformedRecords, damagedTimes, timeRestarts);
     }
 
     /**
@@ -126,12 +175,12 @@ public abstract class RecordingReader implements EventSource {
 
     /** Time of the first event delivered, µs; 0 before one was. */
     public final long firstTimeUs() {
-        return firstTimeUs;
+        return order.firstUs();
     }
 
     /** Time of the last event delivered, µs; 0 before one was. */
     public final long lastTimeUs() {
-        return events == 0 ? 0 : lastTimeUs;
+        return order.lastUs();
     }
 
     /**
@@ -146,26 +195,91 @@ public abstract class RecordingReader implements EventSource {
         return List.copyOf(lines);
     }
 
+    /** What the user should know beside the faults, such as that an option was not needed. */
+    public final List<String> notes() {
+        return List.copyOf(notes);
+    }
+
     @Override
     public final boolean next(EventBatch batch) throws EventSourceException {
         batch.clear();
-        while (damage == null && !ended && batch.size() == 0) {
-            try {
-                ended = !decode(batch);
-            } catch (EventSourceException e) {
-                damage = e;
-            } catch (IOException e) {
-                damage = new EventSourceException("[" + file.name + "] event " + eventNumber(0) + " at byte "
-                        + file.offset() + ": cannot be read: " + Printable.of(e.toString()), e);
+        try {
+            while (batch.size() == 0 && (!isOver() || order.waiting() > 0)) {
+                if (order.waiting() == 0) {
+                    decodeInto(batch);
+                } else {
+                    if (behind == null) {
+                        behind = new EventBatch(BEHIND);
+                    }
+                    int before = order.waiting();
+                    order.putWaiting(batch, isOver());
+                    if (batch.size() == 0 && order.waiting() == before && !isOver()) {
+                        decodeInto(behind);
+                    }
+                }
             }
+        } catch (MalformedRecordingException e) {
+            // a time out of order, where the reading is strict
+            damage = e;
+            order.end();
         }
+        events += batch.size();
         if (batch.size() > 0) {
             return true;
+        }
+        if (damage == null) {
+            damage = disorder();
         }
         if (damage != null) {
             throw damage;
         }
         return false;
+    }
+
+    private boolean isOver() {
+        return ended || damage != null;
+    }
+
+    private void decodeInto(EventBatch batch) {
+        batch.clear();
+        if (numbers.length < batch.capacity()) {
+            numbers = new long[batch.capacity()];
+            places = new long[batch.capacity()];
+        }
+        try {
+            ended = !decode(batch);
+        } catch (EventSourceException e) {
+            damage = e;
+        } catch (IOException e) {
+            damage = new EventSourceException("[" + file.name + "] event " + eventNumber(0) + " at byte "
+                    + file.offset() + ": cannot be read: " + Printable.of(e.toString()), e);
+        }
+        order.takeRegular(batch, numbers, places);
+        if (isOver()) {
+            lookForGrowth();
+        }
+    }
+
+    /** Someone may still be writing: what was read is a part then, however well it ends. */
+    private void lookForGrowth() {
+        try {
+            long size = file.size();
+            if (file.sizeAtFirst() > 0 && size > file.sizeAtFirst()) {
+                addFault("growth", () -> at(eventNumber(0), file.offset()) + "the file must not grow while it is read "
+                        + "but had " + file.sizeAtFirst() + " bytes at first and has " + size + " now");
+            }
+        } catch (IOException e) {
+            // what was read was read
+            return;
+        }
+    }
+
+    /** What is wrong with a recording of which too many events are out of order; null where they are not. */
+    private EventSourceException disorder() {
+        long outOfOrder = stepsBack + damagedTimes;
+        boolean isShuffled = decoded >= FEWEST_FOR_ORDER && outOfOrder > decoded * MOST_OUT_OF_ORDER;
+        return !isShuffled || closed ? null : new MalformedRecordingException("[" + file.name + "] malformed, events "
+                + "must be in order of time but " + outOfOrder + " of " + decoded + " were not");
     }
 
     /** Gives back what a format holds beside the file. */
@@ -175,6 +289,8 @@ public abstract class RecordingReader implements EventSource {
     @Override
     public final void close() {
         ended = true;
+        closed = true;
+        order.end();
         release();
         try {
             file.close();
@@ -182,6 +298,11 @@ public abstract class RecordingReader implements EventSource {
             // Nothing was written, so a failure to close loses nothing.
             return;
         }
+    }
+
+    /** Keeps what the user should know, and what is no fault of the recording. */
+    final void addNote(String note) {
+        notes.add(note);
     }
 
     /** Keeps a fault that does not end the reading; the kind is what faults are counted by. */
@@ -194,45 +315,102 @@ public abstract class RecordingReader implements EventSource {
         }
     }
 
-    /** Notes that the first n entries of the batch are decoded, the last of them at the given time. */
-    final void deliver(EventBatch batch, int n, long newLastTimeUs) {
-        if (events == 0 && n > 0) {
-            firstTimeUs = batch.timeUs[0];
-        }
+    /** Notes where event n of the batch lies, before it is decoded further. */
+    final void note(int n, long offset) {
+        numbers[n] = eventNumber(n);
+        places[n] = offset;
+    }
+
+    /** Notes that the first n entries of the batch are decoded. */
+    final void deliver(EventBatch batch, int n) {
         batch.setSize(n);
-        events += n;
-        lastTimeUs = newLastTimeUs;
+        decoded += n;
     }
 
-    /** The number, from 0, of the event that follows those delivered, those dropped and n more of this batch. */
+    /** The number, from 0, of the event that follows those decoded, those dropped and n more of this batch. */
     final long eventNumber(int n) {
-        return events + outsideSensor + invalid + n;
+        return decoded + outsideSensor + invalid + n;
     }
 
-    /**
-     * The time to deliver an event with whose own time fell below {@link #lastTimeUs}.
-     *
-     * @throws MalformedRecordingException if strict
-     */
-    final long stepBack(long timeUs, long event, long offset) throws MalformedRecordingException {
-        if (strict) {
-            throw malformed(event, offset, "malformed, " + timeRule(timeUs));
-        }
+    /** The time of something beside the events, on the clock of those. */
+    final long timeOf(long fileUs) {
+        return order.timeOf(fileUs);
+    }
+
+    /** Counts an event whose time is below one before it, and which gets the time of that. */
+    final void stepBack(long timeUs, long event, long offset) throws MalformedRecordingException {
+        outOfOrder("time", event, offset, timeRule(timeUs), "");
         stepsBack++;
-        addFault("time", () -> at(event, offset) + timeRule(timeUs));
-        return lastTimeUs;
+    }
+
+    /** Counts an event whose time is damaged, and which is not delivered. */
+    final void timeDamaged(long timeUs, long event, long offset) throws MalformedRecordingException {
+        outOfOrder("jump", event, offset, "malformed, time must go on from " + order.lastUs() + " us but was " + timeUs
+                + " us", ", from which the next events do not go on; the event was dropped");
+        damagedTimes++;
+    }
+
+    /** Counts that the clock started again; time goes on from the greatest before. */
+    final void timeRestarts(long timeUs, long event, long offset) throws MalformedRecordingException {
+        outOfOrder("restart", event, offset, timeRule(timeUs), ", from where it goes on; "
+                + (order.lastUs() - timeUs) + " us were added from there on");
+        timeRestarts++;
+    }
+
+    /** Counts an overflow of the clock. */
+    final void timeWrapped() {
+        timeWraps++;
+    }
+
+    /** How many overflows of the clock there were. */
+    final long timeWraps() {
+        return timeWraps;
+    }
+
+    private void outOfOrder(String kind, long event, long offset, String rule, String consequence)
+            throws MalformedRecordingException {
+        if (strict) {
+            throw malformed(event, offset, (rule.startsWith("malformed") ? "" : "malformed, ") + rule);
+        }
+        addFault(kind, () -> at(event, offset) + rule + consequence);
     }
 
     private String timeRule(long timeUs) {
-        return "time must not fall below " + lastTimeUs + " us but was " + timeUs + " us";
+        return "time must not fall below " + order.lastUs() + " us but was " + timeUs + " us";
     }
 
     /** Counts an event outside the sensor, which is not delivered. */
     final void outside(int x, int y, long event, long offset) {
         outsideSensor++;
-        addFault("outside", () -> at(event, offset) + (x < 0 || x >= sensor.width()
-                ? "x must be smaller than width " + sensor.width() + " but was " + x
-                : "y must be smaller than height " + sensor.height() + " but was " + y));
+        greatestX = Math.max(greatestX, x);
+        greatestY = Math.max(greatestY, y);
+        addFault("outside", () -> at(event, offset) + sensor.brokenRule(x, y));
+    }
+
+    /** Notes that the sensor is the one that the caller named, and not one that the recording names. */
+    final void chipIsAsked() {
+        chipIsAsked = true;
+    }
+
+    /** Whether the sensor is the one that the caller named. */
+    final boolean isChipAsked() {
+        return chipIsAsked;
+    }
+
+    /**
+     * Checks that the events read so far lie on the sensor, but for few.
+     *
+     * @throws MalformedRecordingException where they do not
+     */
+    final void checkPixels(String asked) throws MalformedRecordingException {
+        if (outsideSensor < FEWEST_OUTSIDE || outsideSensor <= MOST_OUTSIDE * (decoded + outsideSensor)) {
+            return;
+        }
+        String likely = Chip.known().stream().filter(chip -> chip.sensor().contains(greatestX, greatestY))
+            .map(Chip::name).findFirst().map(name -> ", as of a " + name).orElse("");
+        throw new MalformedRecordingException("[" + file.name + "] malformed, --chip " + asked
+            + " must fit the events but of the first " + (decoded + outsideSensor) + ", " + outsideSensor
+            + " lie outside " + sensor + ", at x up to " + greatestX + " and y up to " + greatestY + likely + "; --force-chip takes what lies within");
     }
 
     /** Where in the file a place of its buffer lies. */

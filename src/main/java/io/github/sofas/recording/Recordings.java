@@ -1,5 +1,6 @@
 package io.github.sofas.recording;
 
+import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -17,6 +18,10 @@ public final class Recordings {
     private static final byte[] AEDAT_MAGIC = "#!AER-DAT".getBytes(StandardCharsets.US_ASCII);
     private static final int VERSION_BYTES = 16;
     private static final int SHORTEST_VERSION_BYTES = 3;
+
+    /** Events that are read to see whether they lie on the sensor. */
+    private static final int PROBED = 1 << 16;
+    private static final int PROBED_BATCH = 4096;
 
     private Recordings() {
     }
@@ -39,7 +44,11 @@ public final class Recordings {
                 throw new EventSourceException(failed + "is a directory");
             }
             file = new RecordingFile(path);
-            reader = readerFor(file, options);
+            RecordingReader opened = readerFor(file, options);
+            if (opened.isChipAsked() && !options.forceChip() && file.isSeekable()) {
+                checkPixels(path, options);
+            }
+            reader = opened;
             return reader;
         } catch (NoSuchFileException e) {
             throw new EventSourceException(failed + "no such file", e);
@@ -52,6 +61,26 @@ public final class Recordings {
             if (file != null && reader == null) {
                 closeQuietly(file);
             }
+        }
+    }
+
+    /**
+     * Reads the first events, to see whether they lie on the sensor that the caller named. What else is wrong is left
+     * to the reading proper.
+     */
+    private static void checkPixels(Path path, RecordingOptions options) throws IOException, EventSourceException {
+        try (RecordingFile file = new RecordingFile(path); RecordingReader reader = readerFor(file, options)) {
+            EventBatch batch = new EventBatch(PROBED_BATCH);
+            try {
+                while (reader.counts().events() + reader.counts().outsideSensor() < PROBED && reader.next(batch)) {
+                    // the reader counts
+                    batch.clear();
+                }
+            } catch (EventSourceException e) {
+                // it is met again
+                batch.clear();
+            }
+            reader.checkPixels(options.chip());
         }
     }
 
@@ -95,10 +124,10 @@ public final class Recordings {
             return aedat2(file, options, "AEDAT 1.0", Aedat2Format.RECORD_BYTES_1);
         }
         if (lower.endsWith(NMnistReader.EXTENSION)) {
-            return new NMnistReader(file, options, ChipChoice.withSize(file.name, null, options.chip()));
+            return named(file, options, NMnistReader::new);
         }
         if (lower.endsWith(".txt")) {
-            return new TextReader(file, options, ChipChoice.withSize(file.name, null, options.chip()));
+            return named(file, options, TextReader::new);
         }
         boolean isCut = file.available() < EventStreamReader.MAGIC.length;
         throw new MalformedRecordingException("[" + file.name + "] header at byte 0: "
@@ -107,12 +136,26 @@ public final class Recordings {
                 + (isCut ? " but ended after " + file.available() + " bytes" : ""));
     }
 
+    /** A format that says nothing of its sensor. */
+    @FunctionalInterface
+    private interface Unnamed {
+        RecordingReader open(RecordingFile file, RecordingOptions options, ChipChoice choice);
+    }
+
+    private static RecordingReader named(RecordingFile file, RecordingOptions options, Unnamed format)
+            throws EventSourceException {
+        ChipChoice choice = ChipChoice.withSize(file.name, null, options);
+        RecordingReader reader = format.open(file, options, choice);
+        choice.reportTo(reader);
+        return reader;
+    }
+
     /** RAW and DAT have one kind of header; each says something that the other never does. */
     private static RecordingReader prophesee(RecordingFile file, RecordingOptions options)
             throws IOException, EventSourceException {
         PropheseeHeader header = PropheseeHeader.read(file);
         ChipChoice choice = ChipChoice.withOwnSize(file.name, 0, null, header.width(), header.height(),
-                options.chip());
+                options);
         String encoding = header.encoding();
         boolean isDat = encoding == null && (header.hasOneOf("version", "data")
                 || file.name.toLowerCase(Locale.ROOT).endsWith(".dat"));
@@ -146,10 +189,13 @@ public final class Recordings {
     private static RecordingReader aedat2(RecordingFile file, RecordingOptions options, String formatName,
                                           int recordBytes) throws IOException, EventSourceException {
         AedatHeader header = AedatHeader.read(file);
-        ChipChoice choice = ChipChoice.withLayout(file.name, header.chip(), options.chip());
+        ChipChoice choice = ChipChoice.withLayout(file.name, header.chip(), options);
         if (recordBytes == Aedat2Format.RECORD_BYTES_1 && choice.chip().layout() != Chip.AddressLayout.DVS128) {
             throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the chip of an "
                     + "AEDAT 1.0 recording must have 16-bit addresses but was " + choice.name());
+        }
+        if (choice.asked() && !options.forceChip() && file.isSeekable()) {
+            AddressCheck.check(file, recordBytes, choice.chip());
         }
         RecordingReader reader = new Aedat2Reader(file, options, formatName, recordBytes, choice.name(), choice.chip());
         choice.reportTo(reader);
@@ -167,7 +213,7 @@ public final class Recordings {
             throw new MalformedRecordingException("[" + file.name + "] header at byte 0: unsupported, the format must "
                     + "be " + Aedat3Format.RAW + " but was " + header.encoding());
         }
-        ChipChoice choice = ChipChoice.withSize(file.name, header.chip(), options.chip());
+        ChipChoice choice = ChipChoice.withSize(file.name, header.chip(), options);
         RecordingReader reader = new Aedat3Reader(file, options, version, header.source(), choice);
         choice.reportTo(reader);
         return reader;
@@ -180,7 +226,7 @@ public final class Recordings {
             Aedat4Header.Stream stream = entry.getValue();
             if (Aedat4Format.EVENTS.equals(stream.type())) {
                 ChipChoice choice = ChipChoice.withOwnSize(file.name, Aedat4Format.MAGIC_BYTES, stream.chip(),
-                        stream.width(), stream.height(), options.chip());
+                        stream.width(), stream.height(), options);
                 RecordingReader reader = new Aedat4Reader(file, options, header, entry.getKey(), choice);
                 choice.reportTo(reader);
                 return reader;

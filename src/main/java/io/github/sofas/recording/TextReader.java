@@ -41,7 +41,7 @@ final class TextReader extends RecordingReader {
             }
             return true;
         } finally {
-            deliver(batch, n, lastTimeUs);
+            deliver(batch, n);
         }
     }
 
@@ -95,10 +95,7 @@ final class TextReader extends RecordingReader {
             outside(column, row, 0, line);
             return 0;
         }
-        if (time < lastTimeUs) {
-            time = stepBack(time, 0, line);
-        }
-        lastTimeUs = time;
+        note(n, line);
         batch.timeUs[n] = time;
         batch.x[n] = (short) column;
         batch.y[n] = (short) row;

@@ -68,7 +68,7 @@ public class Aedat2ReaderTest {
         records[9] = record(1 << 10, 10);
         records[10] = davis(11, 0, 0, 1);
         ReadResult read = read(records);
-        assertEquals(new RecordingCounts(1, 2, 0, 1, 1, 0, 0, 0, 0, 0), read.counts);
+        assertEquals(new RecordingCounts(1, 2, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0), read.counts);
         assertEquals(List.of(), read.faults);
         header = "#!AER-DAT2.0\r\n" + DVS128 + END;
         assertEquals(2, read(record(0x8000, 1), record(0x80000000, 1), dvs(2, 0, 0, 1)).counts.triggers());
@@ -258,13 +258,15 @@ public class Aedat2ReaderTest {
     @Test public void prefersTheHeadersChipAndSaysSo() throws Exception {
         ReadResult read = readWithChip("DAVIS240C");
         assertEquals(List.of("1 127 127 1"), read.events);
-        assertEquals(List.of("[a.aedat] the header names DVS128, so --chip DAVIS240C was not used"), read.faults);
-        assertEquals(List.of(), readWithChip("dvs128").faults);
+        assertEquals(List.of("[a.aedat] the header names DVS128, so --chip DAVIS240C was not used; --force-chip uses it"),
+                read.notes);
+        assertEquals(List.of(), readWithChip("dvs128").notes);
         header = "#!AER-DAT2.0\r\n# AEChip: my.own.Chip\r\n" + END;
         read = readWithChip("DVS128");
         assertEquals(List.of("1 127 127 1"), read.events);
         assertEquals(List.of("[a.aedat] the header's chip my.own.Chip is not known, so --chip DVS128 was used"),
-                read.faults);
+                read.notes);
+        assertEquals("what was chosen is no fault", List.of(), read.faults);
     }
 
     @Test public void reportsAddressesThatNoDvs128Has() throws Exception {

@@ -48,7 +48,7 @@ public class Aedat3ReaderTest {
         ReadResult read = read(packet(0, 0, 0), packet(2, 0, 0, 0, 0), packet(3, 0, 0), packet(9, 0, 0),
                 packet(1, word(5, 6, 1) - 1, 10, word(128, 0, 1), 10, word(1, 1, 1), 11));
         assertEquals(List.of("11 1 1 1"), read.events);
-        assertEquals(new RecordingCounts(1, 0, 2, 1, 1, 1, 1, 0, 0, 1), read.counts);
+        assertEquals(new RecordingCounts(1, 0, 2, 1, 1, 1, 1, 0, 0, 1, 0, 0, 0), read.counts);
         assertEquals(List.of("[a.aedat] event 1 at byte " + (header.length() + 4 * 36 + 8 + 28 + 8)
                 + ": x must be smaller than width 128 but was 128"), read.faults);
     }

@@ -79,7 +79,7 @@ public class Aedat4ReaderTest {
     @Test public void countsOtherStreamsAndNeedsNoneOfThem() throws Exception {
         ReadResult read = read(bytes.packet(IMU_ID, Aedat4Bytes.tablePayload("IMUS", 5)).events(FIRST)
                 .packet(FRAMES_ID, new byte[9]).packet(TRIGGERS_ID, Aedat4Bytes.tablePayload("TRIG", 2)).build());
-        assertEquals(new RecordingCounts(1, 0, 1, 5, 2, 0, 0, 0, 0, 0), read.counts);
+        assertEquals(new RecordingCounts(1, 0, 1, 5, 2, 0, 0, 0, 0, 0, 0, 0, 0), read.counts);
         assertEquals(List.of(), read.faults);
         bytes.streams = Aedat4Bytes.stream(EVENTS_ID, "EVTS", Aedat4Bytes.size("16", "12"));
         read = read(bytes.build());

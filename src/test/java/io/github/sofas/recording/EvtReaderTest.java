@@ -115,17 +115,17 @@ public class EvtReaderTest {
     @Test public void countsTriggersAndWordsOfOtherKinds() throws Exception {
         ReadResult read = read(EVT3, words16(0x8000, 0xA100, 0x7123, 0xE014, 0xF001, 0x9999, 0x1234, 0x0001, 0x2002));
         assertEquals(List.of("0 2 1 -1"), read.events);
-        assertEquals(new RecordingCounts(1, 0, 0, 0, 1, 0, 0, 0, 0, 5), read.counts);
+        assertEquals(new RecordingCounts(1, 0, 0, 0, 1, 0, 0, 0, 0, 5, 0, 0, 0), read.counts);
         read = read(EVT2, words32(0x80000000, 0xA0000000, 0xE0000000, 0xF0000000, 0x70000000, 0));
-        assertEquals(new RecordingCounts(1, 0, 0, 0, 1, 0, 0, 0, 0, 3), read.counts);
+        assertEquals(new RecordingCounts(1, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0, 0, 0), read.counts);
         read = read(EVT21, words64(8L << 60, 0xAL << 60, 0xEL << 60, 1));
-        assertEquals(new RecordingCounts(1, 0, 0, 0, 1, 0, 0, 0, 0, 1), read.counts);
+        assertEquals(new RecordingCounts(1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0), read.counts);
     }
 
     @Test public void passesOverWhatComesBeforeTheFirstTime() throws Exception {
         ReadResult read = read(EVT3, words16(0x0001, 0x2002, 0x8000, 0x2005, 0x4001, 0x0003, 0x2004));
         assertEquals(List.of("0 4 3 -1"), read.events);
-        assertEquals(new RecordingCounts(1, 0, 0, 0, 0, 2, 0, 0, 0, 2), read.counts);
+        assertEquals(new RecordingCounts(1, 0, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0), read.counts);
         int at = EVT3.length();
         assertEquals(List.of("[a.raw] event 0 at byte " + at + ": malformed, a recording must begin with a word of "
                 + "time; the words before it were passed over (the first of 2)", "[a.raw] event 0 at byte " + (at + 6)

@@ -17,6 +17,7 @@ final class ReadResult {
     final List<String> events = new ArrayList<>();
     RecordingCounts counts;
     List<String> faults = List.of();
+    List<String> notes = List.of();
     /** Message of the exception that ended the reading; null where it ended well. */
     String error;
 
@@ -43,6 +44,7 @@ final class ReadResult {
             } finally {
                 result.counts = reader.counts();
                 result.faults = reader.faults();
+                result.notes = reader.notes();
             }
         } catch (EventSourceException e) {
             result.error = e.getMessage();

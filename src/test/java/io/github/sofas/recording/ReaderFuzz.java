@@ -274,7 +274,7 @@ public final class ReaderFuzz {
 
         /** Valid inputs to start from. */
         public static List<byte[]> seeds() {
-            byte[] events = words(ByteOrder.LITTLE_ENDIAN, 5, 1 << 28 | 9 << 14 | 3, 6, 1, -1, 0, 2, 0);
+            byte[] events = words(ByteOrder.LITTLE_ENDIAN, -12, 1 << 28 | 9 << 14 | 3, -10, 1, -1, 0, 2, 0);
             return List.of(join("% Height 480\n% Version 2\n% Width 640\n", new byte[] {12, 8}, events),
                 join("% Data file containing CD events.\n% Version 1\n", new byte[] {0, 8}, events));
         }
