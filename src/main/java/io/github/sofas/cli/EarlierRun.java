@@ -13,8 +13,9 @@ import java.nio.file.Path;
  *
  * @param request what was asked for, as {@link RecordingRun#request()} tells it; null where the summary does not say
  * @param complete whether the recording was read to its end
+ * @param doubtfulShare share of its events that were corrected, dropped or malformed
  */
-record EarlierRun(String request, boolean complete) {
+record EarlierRun(String request, boolean complete, double doubtfulShare) {
     private static final JsonFactory FACTORY = new JsonFactory();
 
     /** Reads a summary; null where there is none, or the file is something else. */
@@ -24,6 +25,7 @@ record EarlierRun(String request, boolean complete) {
         }
         String request = null;
         boolean complete = false;
+        double doubtfulShare = 0;
         try (JsonParser json = FACTORY.createParser(summary.toFile())) {
             while (json.nextToken() != null) {
                 String path = json.getParsingContext().pathAsPointer().toString();
@@ -31,11 +33,13 @@ record EarlierRun(String request, boolean complete) {
                     request = json.getText();
                 } else if (path.equals("/recording/complete")) {
                     complete = json.currentToken() == JsonToken.VALUE_TRUE;
+                } else if (path.equals("/recording/doubtful_share") && json.currentToken().isNumeric()) {
+                    doubtfulShare = json.getDoubleValue();
                 }
             }
         } catch (IOException e) {
             return null;
         }
-        return new EarlierRun(request, complete);
+        return new EarlierRun(request, complete, doubtfulShare);
     }
 }

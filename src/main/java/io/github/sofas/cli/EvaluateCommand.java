@@ -84,12 +84,16 @@ final class EvaluateCommand implements Callable<Integer> {
         try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
             EventSourceException damage = truth == null ? measure(recording, reader, method)
                 : holdAgainstTruth(recording, reader, method, options);
+            reader.notes().forEach(err::println);
             reader.faults().forEach(err::println);
             if (damage != null) {
                 err.println(damage.getMessage());
-                return Main.FAILED;
             }
-            return Main.OK;
+            String doubt = reading.doubt(recording, reader.counts().doubtfulShare());
+            if (doubt != null) {
+                err.println(doubt);
+            }
+            return damage == null && doubt == null ? Main.OK : Main.FAILED;
         } catch (EventSourceException | TruthException e) {
             err.println(e.getMessage());
         } catch (IOException e) {
@@ -149,6 +153,11 @@ final class EvaluateCommand implements Callable<Integer> {
     }
 
     private void checkFiles() {
+        try {
+            reading.check();
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
         if (truth != null && !Files.exists(truth)) {
             throw usage("[" + truth + "] no such file");
         }

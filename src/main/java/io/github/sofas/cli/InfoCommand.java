@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -29,7 +30,7 @@ import picocli.CommandLine.Spec;
 @Command(name = "info", sortOptions = false,
     description = "Say what is in recordings: format, sensor, events by type, times, faults.",
     exitCodeListHeading = "%nExit codes:%n",
-    exitCodeList = {"0:every recording was read to its end", "1:a recording is damaged or cannot be read",
+    exitCodeList = {"0:every recording was read to its end", "1:a recording is damaged, doubtful or cannot be read",
         "2:wrong usage"})
 final class InfoCommand implements Callable<Integer> {
     private static final int BATCH = 4096;
@@ -57,6 +58,7 @@ final class InfoCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         List<Path> recordings;
         try {
+            reading.check();
             recordings = RecordingArguments.expand(arguments);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
@@ -78,10 +80,15 @@ final class InfoCommand implements Callable<Integer> {
 
     private int readAll(List<Path> recordings, Output output) throws IOException {
         int exitCode = Main.OK;
+        List<String> doubts = new ArrayList<>();
         for (Path recording : recordings) {
             try {
                 RecordingSummary summary = read(recording);
                 output.write(summary);
+                String doubt = reading.doubt(recording, summary.doubtfulShare());
+                if (doubt != null) {
+                    doubts.add(doubt);
+                }
                 if (!summary.complete()) {
                     exitCode = Main.FAILED;
                 }
@@ -90,7 +97,8 @@ final class InfoCommand implements Callable<Integer> {
                 exitCode = Main.FAILED;
             }
         }
-        return exitCode;
+        doubts.forEach(spec.commandLine().getErr()::println);
+        return doubts.isEmpty() ? exitCode : Main.FAILED;
     }
 
     private RecordingSummary read(Path recording) throws EventSourceException {
@@ -126,6 +134,9 @@ final class InfoCommand implements Callable<Integer> {
         }
         for (String fault : recording.faults()) {
             line(out, "fault", fault);
+        }
+        for (String note : recording.notes()) {
+            line(out, "note", note);
         }
     }
 

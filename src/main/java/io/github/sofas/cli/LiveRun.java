@@ -195,7 +195,8 @@ final class LiveRun {
             faults.add(failure.getMessage());
         }
         RecordingSummary read = new RecordingSummary(source.name(), source.formatName(), source.chip().name(),
-            source.sensor(), events, firstTimeUs, lastTimeUs, counts, failure == null, faults);
+            source.sensor(), events, firstTimeUs, lastTimeUs, counts, failure == null, faults,
+            List.of(), 0);
         RunSummary.Seconds seconds = new RunSummary.Seconds(wallS, source.decodeS(), engineNs / 1e9, outputNs / 1e9);
         return new RunSummary(Version.text(), "", read, method.method(), method.preset(), method.parameters(),
             eventsWithFlow, segments, source.dropped(), seconds, RecordingRun.peakHeapBytes());

@@ -147,6 +147,7 @@ final class RenderCommand implements Callable<Integer> {
         try (ResultFiles files = new ResultFiles()) {
             RenderRun.Outcome outcome = run.run(files);
             files.commit();
+            outcome.notes().forEach(err::println);
             outcome.faults().forEach(err::println);
             if (outcome.damage() != null) {
                 err.println(outcome.damage().getMessage());
@@ -156,13 +157,18 @@ final class RenderCommand implements Callable<Integer> {
                     + times.maxPictures + " pictures of --max-pictures");
             }
             if (!quiet) {
-                err.println(String.format(Locale.ROOT, "%s: %,d pictures of %,d events, %.3f s of recording, in %.1f s",
-                    run.file(), outcome.pictures(), outcome.events(), outcome.recordingS(), outcome.wallS()));
+                err.println(String.format(Locale.ROOT, "%s: %,d %s of %,d events, %.3f s of recording, in %.1f s",
+                    run.file(), outcome.pictures(), outcome.pictures() == 1 ? "picture" : "pictures",
+                    outcome.events(), outcome.recordingS(), outcome.wallS()));
                 if (outcome.encoder() == Mp4Film.Encoder.JCODEC && encoder == Mp4Film.Encoder.AUTO) {
                     err.println("encoded by jcodec; with ffmpeg on PATH films take less time and space");
                 }
             }
-            return outcome.damage() == null ? Main.OK : Main.FAILED;
+            String doubt = reading.doubt(recording, outcome.doubtfulShare());
+            if (doubt != null) {
+                err.println(doubt);
+            }
+            return outcome.damage() == null && doubt == null ? Main.OK : Main.FAILED;
         } catch (EventSourceException e) {
             err.println(e.getMessage());
         } catch (IOException e) {
@@ -208,6 +214,7 @@ final class RenderCommand implements Callable<Integer> {
         Map<String, Path> named;
         PictureOptions pictures;
         try {
+            reading.check();
             named = RecordingArguments.byName(RecordingArguments.expand(List.of(recording.toString())), false);
             pictures = pictures();
         } catch (IllegalArgumentException e) {

@@ -82,12 +82,15 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
      * @param recordingS time of the recording from the first to the last of them
      * @param wallS time that it took
      * @param stoppedEarly whether the film had its most pictures before the recording ended
-     * @param faults what is wrong with the recording
+     * @param notes what the user should know of the recording
+     * @param faults what is wrong with it
+     * @param doubtfulShare share of its events that were corrected, dropped or malformed
      * @param damage why the recording could not be read to its end; null where it was
      * @param encoder what encoded it; null where it is no MP4
      */
     record Outcome(long pictures, long events, double recordingS, double wallS, boolean stoppedEarly,
-                   List<String> faults, EventSourceException damage, Mp4Film.Encoder encoder) {
+                   List<String> notes, List<String> faults, double doubtfulShare, EventSourceException damage,
+                   Mp4Film.Encoder encoder) {
     }
 
     /**
@@ -135,8 +138,8 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     + "be an event between --from and --to but there was none");
             }
             return new Outcome(shooting.pictures(), shooting.events(), shooting.recordingS(),
-                (System.nanoTime() - start) / 1e9, shooting.hasMostPictures(), reader.faults(), damage,
-                film instanceof Mp4Film ? ((Mp4Film) film).encoder() : null);
+                (System.nanoTime() - start) / 1e9, shooting.hasMostPictures(), reader.notes(), reader.faults(),
+                reader.counts().doubtfulShare(), damage, film instanceof Mp4Film ? ((Mp4Film) film).encoder() : null);
         }
     }
 

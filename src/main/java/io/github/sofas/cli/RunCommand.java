@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -32,7 +33,7 @@ import picocli.CommandLine.Spec;
         "Writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json for each; NAME is the recording's file name "
         + "without its last extension."},
     exitCodeListHeading = "%nExit codes:%n",
-    exitCodeList = {"0:every recording was read to its end", "1:a recording failed; the others were run",
+    exitCodeList = {"0:every recording was read to its end", "1:a recording failed or is doubtful; the others were run",
         "2:wrong usage; nothing was run"})
 final class RunCommand implements Callable<Integer> {
     @Spec
@@ -86,6 +87,9 @@ final class RunCommand implements Callable<Integer> {
     @Mixin
     private ParameterOptions parameterOptions;
 
+    /** Recordings whose results are not to be trusted, and why. */
+    private final Map<Path, String> doubts = new ConcurrentSkipListMap<>();
+
     /** A run that was started, and what it will come to. */
     private record Started(RecordingRun run, Future<Boolean> succeeds) {
     }
@@ -94,7 +98,8 @@ final class RunCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         List<RecordingRun> runs = check();
         if (runs.isEmpty()) {
-            return Main.OK;
+            sayDoubts();
+            return doubts.isEmpty() ? Main.OK : Main.FAILED;
         }
         PrintWriter err = spec.commandLine().getErr();
         List<String> failed = new ArrayList<>();
@@ -112,12 +117,24 @@ final class RunCommand implements Callable<Integer> {
         } finally {
             pool.shutdownNow();
         }
-        if (failed.isEmpty()) {
-            return Main.OK;
+        if (!failed.isEmpty()) {
+            err.println(failed.size() + " of " + runs.size() + (runs.size() == 1 ? " recording" : " recordings")
+                + " failed: " + Printable.of(String.join(", ", failed)));
         }
-        err.println(failed.size() + " of " + runs.size() + (runs.size() == 1 ? " recording" : " recordings")
-            + " failed: " + Printable.of(String.join(", ", failed)));
-        return Main.FAILED;
+        sayDoubts();
+        return failed.isEmpty() && doubts.isEmpty() ? Main.OK : Main.FAILED;
+    }
+
+    private void addDoubt(RecordingRun run, double share) {
+        String doubt = reading.doubt(run.recording(), share);
+        if (doubt != null) {
+            doubts.put(run.recording(), doubt);
+        }
+    }
+
+    /** The last line, whatever else went well; in the order of names, whichever ended first. */
+    private void sayDoubts() {
+        doubts.values().forEach(doubt -> spec.commandLine().getErr().println(Printable.of(doubt)));
     }
 
     /** Everything that can be wrong before the first recording is opened. */
@@ -127,6 +144,11 @@ final class RunCommand implements Callable<Integer> {
         }
         if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
             throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
+        }
+        try {
+            reading.check();
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
         }
         RecordingOptions options = reading.recordingOptions();
         MethodChoice method = methodOptions.choice(parameterOptions);
@@ -170,6 +192,9 @@ final class RunCommand implements Callable<Integer> {
 
     private boolean isDone(RecordingRun run) {
         boolean done = run.isDone();
+        if (done) {
+            addDoubt(run, EarlierRun.of(RecordingRun.summaryFile(out, run.name())).doubtfulShare());
+        }
         if (done && !quiet) {
             spec.commandLine().getErr().println(Printable.of(run.name() + ": results are complete, passed over"));
         }
@@ -189,7 +214,9 @@ final class RunCommand implements Callable<Integer> {
     private boolean succeeds(RecordingRun run, RunProgress progress) throws Exception {
         RecordingRun.Outcome outcome = run.run(progress, threads);
         // Faults end with the damage where there is one.
+        outcome.summary().recording().notes().forEach(progress::say);
         outcome.summary().recording().faults().forEach(progress::say);
+        addDoubt(run, outcome.summary().recording().doubtfulShare());
         progress.finished(run.name(), outcome.summary());
         return outcome.damage() == null;
     }

@@ -33,13 +33,17 @@ final class Summaries {
         byType.put("steps_back_in_time", counts.stepsBack());
         byType.put("time_wraps", counts.timeWraps());
         byType.put("other_records", counts.otherRecords());
+        byType.put("malformed", counts.malformed());
+        byType.put("damaged_times", counts.damagedTimes());
+        byType.put("time_restarts", counts.timeRestarts());
         List<String> faults = new ArrayList<>(reader.faults());
         if (damage != null) {
             faults.add(damage.getMessage());
         }
         String format = reader.formatName() + reader.compression().map(how -> " (" + how + ")").orElse("");
         return new RecordingSummary(recording.toString(), format, reader.chip().orElse(""), reader.sensor(),
-            counts.events(), reader.firstTimeUs(), reader.lastTimeUs(), byType, damage == null, faults);
+            counts.events(), reader.firstTimeUs(), reader.lastTimeUs(), byType, damage == null, faults,
+            reader.notes(), counts.doubtfulShare());
     }
 
     /** DVS events that were in the file and not delivered, by reason. */
@@ -47,6 +51,7 @@ final class Summaries {
         Map<String, Long> dropped = new LinkedHashMap<>();
         dropped.put("invalid", counts.invalid());
         dropped.put("outside_sensor", counts.outsideSensor());
+        dropped.put("damaged_times", counts.damagedTimes());
         return dropped;
     }
 }

@@ -19,10 +19,12 @@ import java.util.Map;
  * @param counts how many of each kind the file holds, by name, in the order shown
  * @param complete whether it was read to its end without damage
  * @param faults what is wrong with it, one message each; empty for a sound recording
+ * @param notes what the user should know beside that
+ * @param doubtfulShare share of the events that are not delivered as the recording has them, 0 to 1
  */
 public record RecordingSummary(String file, String format, String chip, SensorSize sensor, long events,
                                long firstTimeUs, long lastTimeUs, Map<String, Long> counts, boolean complete,
-                               List<String> faults) {
+                               List<String> faults, List<String> notes, double doubtfulShare) {
 
     /** From the first event to the last in seconds. */
     public double durationS() {
@@ -62,6 +64,12 @@ public record RecordingSummary(String file, String format, String chip, SensorSi
             json.writeString(fault);
         }
         json.writeEndArray();
+        json.writeArrayFieldStart("notes");
+        for (String note : notes) {
+            json.writeString(note);
+        }
+        json.writeEndArray();
+        Json.write(json, "doubtful_share", doubtfulShare, 6);
         json.writeEndObject();
     }
 }

@@ -85,7 +85,8 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
         }
         return headerChip == null ? option : new ChipChoice(option.name, option.chip, option.sensor,
                 "[" + fileName + "] the header's chip " + headerChip
-                + (header.isPresent() ? " is set aside" : " is not known") + ", so --chip " + optionChip + " was used", true);
+                + (header.isPresent() ? " is set aside" : " is not known") + ", so --chip " + optionChip
+                + " was used", true);
     }
 
     private static ChipChoice named(String fileName, String name) throws EventSourceException {

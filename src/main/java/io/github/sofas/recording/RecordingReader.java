@@ -410,7 +410,8 @@ public abstract class RecordingReader implements EventSource {
             .map(Chip::name).findFirst().map(name -> ", as of a " + name).orElse("");
         throw new MalformedRecordingException("[" + file.name + "] malformed, --chip " + asked
             + " must fit the events but of the first " + (decoded + outsideSensor) + ", " + outsideSensor
-            + " lie outside " + sensor + ", at x up to " + greatestX + " and y up to " + greatestY + likely + "; --force-chip takes what lies within");
+            + " lie outside " + sensor + ", at x up to " + greatestX + " and y up to " + greatestY + likely
+            + "; --force-chip takes what lies within");
     }
 
     /** Where in the file a place of its buffer lies. */

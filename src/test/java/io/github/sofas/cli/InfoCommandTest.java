@@ -76,6 +76,9 @@ public class InfoCommandTest {
             + "  steps back in time:  0\n"
             + "  time wraps:          0\n"
             + "  other records:       0\n"
+            + "  malformed:           0\n"
+            + "  damaged times:       0\n"
+            + "  time restarts:       0\n"
             + "  faults:              none\n", info.out);
         assertEquals("", info.err);
         assertEquals(0, info.exitCode);
@@ -98,12 +101,16 @@ public class InfoCommandTest {
             + "  steps back in time:  1\n"
             + "  time wraps:          0\n"
             + "  other records:       0\n"
+            + "  malformed:           0\n"
+            + "  damaged times:       0\n"
+            + "  time restarts:       0\n"
             + "  fault:               [five.aedat] event 5 at byte " + (header + 64)
             + ": x must be smaller than width 240 but was 240\n"
             + "  fault:               [five.aedat] event 6 at byte " + (header + 72)
             + ": time must not fall below 1000000 us but was 999000 us\n", counts);
-        assertEquals("", info.err);
-        assertEquals("nothing of the file was lost", 0, info.exitCode);
+        // of six events and the one that was dropped
+        assertEquals("doubtful: five.aedat, 28.6 % of whose events were corrected, dropped or malformed\n", info.err);
+        assertEquals(1, info.exitCode);
     }
 
     @Test
@@ -132,7 +139,10 @@ public class InfoCommandTest {
             + "      \"outside_sensor\" : 1,\n"
             + "      \"steps_back_in_time\" : 1,\n"
             + "      \"time_wraps\" : 0,\n"
-            + "      \"other_records\" : 0\n"
+            + "      \"other_records\" : 0,\n"
+            + "      \"malformed\" : 0,\n"
+            + "      \"damaged_times\" : 0,\n"
+            + "      \"time_restarts\" : 0\n"
             + "    },\n"
             + "    \"complete\" : true,\n"
             + "    \"faults\" : [\n"
@@ -140,10 +150,12 @@ public class InfoCommandTest {
             + ": x must be smaller than width 240 but was 240\",\n"
             + "      \"[five.aedat] event 6 at byte " + (header + 72)
             + ": time must not fall below 1000000 us but was 999000 us\"\n"
-            + "    ]\n"
+            + "    ],\n"
+            + "    \"notes\" : [ ],\n"
+            + "    \"doubtful_share\" : 0.285714\n"
             + "  }\n"
             + "]\n", info.out);
-        assertEquals(0, info.exitCode);
+        assertEquals(1, info.exitCode);
     }
 
     @Test

@@ -127,7 +127,8 @@ public class RealRecordingsCommandTest {
     @Test
     public void reportsTheCutImuSampleOfASoundRun() throws IOException {
         Executed run = run("DVS128", "boxes-translation.aedat");
-        assertEquals("[boxes-translation.aedat] the header names DAVIS240C, so --chip DVS128 was not used\n"
+        assertEquals("[boxes-translation.aedat] the header names DAVIS240C, so --chip DVS128 was not used; "
+            + "--force-chip uses it\n"
             + CUT_SAMPLE + "\n", run.err);
         assertEquals(0, run.exitCode);
         assertEquals(162_771, rows("boxes-translation.aedat"));

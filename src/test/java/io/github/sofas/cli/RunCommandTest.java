@@ -161,7 +161,8 @@ public class RunCommandTest {
         assertHas(summary, "\"chip\" : \"DAVIS240C\"");
         assertHas(summary, "\"width\" : 240,\n    \"height\" : 180,\n    \"events\" : 26101,\n");
         assertHas(summary, "\"dvs_events\" : 26101,");
-        assertHas(summary, "\"complete\" : true,\n    \"faults\" : [ ]\n");
+        assertHas(summary, "\"complete\" : true,\n    \"faults\" : [ ],\n"
+            + "    \"notes\" : [ ],\n    \"doubtful_share\" : 0.000000\n");
         assertHas(summary, "\"method\" : \"sofas\",\n  \"preset\" : \"default\",\n");
         assertHas(summary, "\n  \"events\" : 26101,\n  \"events_with_flow\" : " + withFlow + ",\n");
         assertHas(summary, "\"segments\" : {\n    \"all\" : " + segments.size() + ",\n");
@@ -471,7 +472,7 @@ public class RunCommandTest {
 
         assertEquals(results("cut"), filesIn(out));
         assertHas(Files.readString(out.resolve("cut.summary.json")), "\"complete\" : false,\n    \"faults\" : [\n"
-            + "      \"" + message + "\"\n    ]\n");
+            + "      \"" + message + "\"\n    ],\n");
         assertEquals(0, run(HEXAGON).exitCode);
         assertEquals(Files.readAllLines(out.resolve("hexagon.flow.csv")).subList(0, 10_001),
             Files.readAllLines(out.resolve("cut.flow.csv")));

@@ -258,8 +258,8 @@ public class Aedat2ReaderTest {
     @Test public void prefersTheHeadersChipAndSaysSo() throws Exception {
         ReadResult read = readWithChip("DAVIS240C");
         assertEquals(List.of("1 127 127 1"), read.events);
-        assertEquals(List.of("[a.aedat] the header names DVS128, so --chip DAVIS240C was not used; --force-chip uses it"),
-                read.notes);
+        assertEquals(List.of("[a.aedat] the header names DVS128, so --chip DAVIS240C was not used; --force-chip uses "
+                + "it"), read.notes);
         assertEquals(List.of(), readWithChip("dvs128").notes);
         header = "#!AER-DAT2.0\r\n# AEChip: my.own.Chip\r\n" + END;
         read = readWithChip("DVS128");
