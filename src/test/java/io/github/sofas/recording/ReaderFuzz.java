@@ -309,7 +309,7 @@ public final class ReaderFuzz {
 
         /** Valid inputs to start from. */
         public static List<byte[]> seeds() {
-            return List.of(new byte[] {7, 15, -128, 2, -114, 19, 18, 0x12, 0, 0x0B, 0, -16, 0, 0, 0, 33, 33, 1, 0, 0});
+            return List.of(new byte[] {7, 15, -128, 2, -114, 19, 18, 0, 0x12, 0x0B, 0, -16, 0, 0, 0, 33, 33, 1, 0, 0});
         }
     }
 
