@@ -1,9 +1,8 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.flow.Parameter;
+import io.github.sofas.flow.ParameterHandle;
 import io.github.sofas.flow.SofasParameters;
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.RecordComponent;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,16 +21,12 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /**
- * The algorithm's parameters on the command line. The options are not listed here: each component of
- * {@link SofasParameters} is one, with the texts of its {@link Parameter}. The preset is the base, the config file
- * changes it, and options change that.
+ * The algorithm's parameters on the command line. The options are not listed here: each {@link ParameterHandle} is one,
+ * in its group, with the texts of its {@link Parameter}. The preset is the base, the config file changes it, and
+ * options change that.
  */
 final class ParameterOptions {
-    private static final RecordComponent[] COMPONENTS = SofasParameters.class.getRecordComponents();
-    /** All but the preset, which has an option of its own. */
-    private static final List<RecordComponent> OPTIONS = Arrays.stream(COMPONENTS)
-        .filter(component -> component.isAnnotationPresent(Parameter.class)).toList();
-    private static final List<String> DESCRIPTIONS = descriptions();
+    private static final List<ParameterHandle> OPTIONS = ParameterHandle.all();
 
     /** What shell completion offers. */
     private static final class PresetNames extends ArrayList<String> {
@@ -69,50 +64,41 @@ final class ParameterOptions {
 
     /** Adds one option a parameter to a command that has this class as a mixin. */
     static void addTo(CommandSpec command) {
-        ArgGroupSpec.Builder group = ArgGroupSpec.builder().validate(false).exclusive(false).order(100)
-            .heading("%nAlgorithm parameters, each over its value in the preset and the config file:%n");
-        for (int i = 0; i < OPTIONS.size(); i++) {
-            RecordComponent component = OPTIONS.get(i);
-            group.addArg(OptionSpec.builder("--" + optionName(component)).paramLabel(label(component))
-                .type(String.class).description(DESCRIPTIONS.get(i)).build());
+        Map<String, ArgGroupSpec.Builder> groups = new LinkedHashMap<>();
+        for (ParameterHandle handle : OPTIONS) {
+            groups.computeIfAbsent(handle.group(), name -> ArgGroupSpec.builder().validate(false).exclusive(false)
+                    .order(100 + groups.size()).heading("%nAlgorithm parameters, " + name + ":%n"))
+                .addArg(OptionSpec.builder("--" + optionName(handle)).paramLabel(handle.isSwitch() ? "true|false" : "N")
+                    .type(String.class).description(description(handle)).build());
         }
-        command.addArgGroup(group.build());
-    }
-
-    /** The option of a component without its dashes: lifetimePx is lifetime-px. */
-    static String optionName(RecordComponent component) {
-        return component.getName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
-    }
-
-    private static String label(RecordComponent component) {
-        Class<?> type = component.getType();
-        if (type == boolean.class) {
-            return "true|false";
+        groups.values().forEach(group -> command.addArgGroup(group.build()));
+        for (String name : RemovedParameters.names()) {
+            command.addOption(OptionSpec.builder("--" + name).type(String.class).hidden(true).build());
         }
-        return type.isEnum() ? choices(type) : "N";
     }
 
-    private static String choices(Class<?> type) {
-        return String.join("|", Arrays.stream(type.getEnumConstants()).map(ParameterOptions::text).toList());
+    /** The option of a parameter without its dashes: lifetimePx is lifetime-px. */
+    static String optionName(ParameterHandle handle) {
+        return handle.name().replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
     }
 
-    private static List<String> descriptions() {
-        SofasParameters defaults = SofasParameters.defaults();
-        SofasParameters paper = SofasParameters.paper();
-        return OPTIONS.stream().map(component -> description(component, defaults, paper)).toList();
-    }
-
-    private static String description(RecordComponent component, SofasParameters defaults, SofasParameters paper) {
-        Parameter parameter = component.getAnnotation(Parameter.class);
+    private static String description(ParameterHandle handle) {
+        Parameter parameter = handle.declaration();
         StringBuilder text = new StringBuilder(parameter.value());
-        if (component.getType() != boolean.class && !component.getType().isEnum()) {
+        if (!handle.isSwitch()) {
             text.append("; ").append(plain(parameter.min())).append(" to ").append(plain(parameter.max()));
             text.append(parameter.unit().isEmpty() ? "" : " " + parameter.unit());
         }
-        text.append("; default ").append(text(value(component, defaults)));
-        text.append(", paper ").append(text(value(component, paper))).append('.');
+        String separator = "; ";
+        for (SofasParameters.Preset each : List.of(SofasParameters.Preset.DEFAULT, SofasParameters.Preset.PAPER)) {
+            if (handle.isUsedBy(each)) {
+                text.append(separator).append(text(each)).append(' ')
+                    .append(text(handle.get(SofasParameters.of(each))));
+                separator = ", ";
+            }
+        }
         // Picocli reads percent signs and variables in descriptions.
-        return text.toString().replace("%", "%%").replace("${", "$ {");
+        return text.append('.').toString().replace("%", "%%").replace("${", "$ {");
     }
 
     private static String plain(double number) {
@@ -120,8 +106,8 @@ final class ParameterOptions {
     }
 
     private static String text(Object value) {
-        if (value instanceof Double || value instanceof Float) {
-            return plain(Double.parseDouble(value.toString()));
+        if (value instanceof Double) {
+            return plain((Double) value);
         }
         return value instanceof Enum ? ((Enum<?>) value).name().toLowerCase(Locale.ROOT) : value.toString();
     }
@@ -137,114 +123,101 @@ final class ParameterOptions {
      * @throws ParameterException where a value is wrong or the config file has a key that is no parameter
      */
     SofasParameters parameters() {
-        SofasParameters base = preset == SofasParameters.Preset.PAPER ? SofasParameters.paper()
-            : SofasParameters.defaults();
-        Map<String, Object> values = asMap(base);
-        Map<String, String> places = new LinkedHashMap<>();
+        Map<ParameterHandle, Given> given = new LinkedHashMap<>();
         try {
             if (config != null) {
-                readConfig(values, places);
+                readConfig(given);
             }
-            for (RecordComponent component : OPTIONS) {
-                String name = optionName(component);
-                OptionSpec option = command.findOption("--" + name);
-                if (command.commandLine().getParseResult().hasMatchedOption(option)) {
-                    values.put(name, convert("--" + name, component, option.getValue()));
-                    places.put(name, "--" + name);
+            for (String name : RemovedParameters.names()) {
+                if (isGiven("--" + name)) {
+                    throw new IllegalArgumentException("--" + RemovedParameters.message(name));
                 }
             }
-            return make(base, values, places);
+            for (ParameterHandle handle : OPTIONS) {
+                String name = "--" + optionName(handle);
+                if (isGiven(name)) {
+                    given.put(handle, new Given(name, command.findOption(name).getValue()));
+                }
+            }
+            return made(given);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(command.commandLine(), e.getMessage(), e);
         }
     }
 
-    private void readConfig(Map<String, Object> values, Map<String, String> places) {
+    private boolean isGiven(String option) {
+        return command.commandLine().getParseResult().hasMatchedOption(command.findOption(option));
+    }
+
+    private void readConfig(Map<ParameterHandle, Given> given) {
         ConfigFile file = ConfigFile.read(config);
         List<String> names = OPTIONS.stream().map(ParameterOptions::optionName).toList();
         for (String key : file.keys()) {
+            if (RemovedParameters.names().contains(key)) {
+                throw new IllegalArgumentException(file.place(key) + RemovedParameters.message(key));
+            }
             int index = names.indexOf(key);
             if (index < 0) {
                 throw new IllegalArgumentException(file.place(key) + "unknown parameter \"" + key + "\"; known are "
                     + String.join(", ", names));
             }
-            values.put(key, convert(file.place(key) + key, OPTIONS.get(index), file.value(key)));
-            places.put(key, file.place(key) + key);
+            given.put(OPTIONS.get(index), new Given(file.place(key) + key, file.value(key)));
         }
     }
 
-    private static Object convert(String place, RecordComponent component, String text) {
-        Class<?> type = component.getType();
+    /** What was given for a parameter, and where. */
+    private record Given(String place, String text) {
+    }
+
+    private SofasParameters made(Map<ParameterHandle, Given> given) {
+        SofasParameters base = SofasParameters.of(preset);
+        Map<String, Object> values = new LinkedHashMap<>();
+        given.forEach((handle, each) -> values.put(handle.name(), value(handle, each)));
         try {
-            if (type == int.class) {
-                return Integer.valueOf(text);
-            } else if (type == long.class) {
-                return Long.valueOf(text);
-            } else if (type == double.class) {
-                return new BigDecimal(text).doubleValue();
-            } else if (type == float.class) {
-                return new BigDecimal(text).floatValue();
-            }
-        } catch (NumberFormatException e) {
-            String kind = type == int.class || type == long.class ? "a whole number" : "a number";
-            throw new IllegalArgumentException(place + " must be " + kind + " but was \"" + text + "\"", e);
+            return base.with(values);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(inUsersWords(e.getMessage(), given), e);
         }
-        Object[] choices = type == boolean.class ? new Object[] {true, false} : type.getEnumConstants();
-        for (Object choice : choices) {
-            if (text(choice).equalsIgnoreCase(text)) {
-                return choice;
-            }
-        }
-        throw new IllegalArgumentException(place + " must be one of " + Arrays.stream(choices)
-            .map(ParameterOptions::text).toList() + " but was \"" + text + "\"");
     }
 
-    /** Every parameter but the preset under its option's name, in the order of the record. */
+    private static Object value(ParameterHandle handle, Given given) {
+        if (handle.isSwitch()) {
+            if (!given.text.equalsIgnoreCase("true") && !given.text.equalsIgnoreCase("false")) {
+                throw new IllegalArgumentException(given.place + " must be one of [true, false] but was \""
+                    + given.text + "\"");
+            }
+            return Boolean.valueOf(given.text);
+        }
+        try {
+            return handle.isWhole() ? (Number) Long.valueOf(given.text) : (Number) new BigDecimal(given.text);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(given.place + " must be " + (handle.isWhole() ? "a whole number"
+                : "a number") + " but was \"" + given.text + "\"", e);
+        }
+    }
+
+    /** Every parameter but the preset under its option's name, group by group. */
     static Map<String, Object> asMap(SofasParameters parameters) {
         Map<String, Object> values = new LinkedHashMap<>();
-        for (RecordComponent component : OPTIONS) {
-            values.put(optionName(component), value(component, parameters));
+        for (ParameterHandle handle : OPTIONS) {
+            values.put(optionName(handle), handle.get(parameters));
         }
         return values;
     }
 
-    private static Object value(RecordComponent component, SofasParameters parameters) {
-        try {
-            return component.getAccessor().invoke(parameters);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("accessors of a public record can be called", e);
-        }
-    }
-
-    private static SofasParameters make(SofasParameters base, Map<String, Object> values,
-                                        Map<String, String> places) {
-        Object[] arguments = Arrays.stream(COMPONENTS)
-            .map(component -> values.getOrDefault(optionName(component), value(component, base))).toArray();
-        Class<?>[] types = Arrays.stream(COMPONENTS).map(RecordComponent::getType).toArray(Class<?>[]::new);
-        try {
-            return SofasParameters.class.getConstructor(types).newInstance(arguments);
-        } catch (InvocationTargetException e) {
-            if (e.getCause() instanceof IllegalArgumentException) {
-                throw new IllegalArgumentException(inUsersWords(e.getCause().getMessage(), places), e);
-            }
-            throw new IllegalStateException(e.getCause());
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("the constructor of a public record can be called", e);
-        }
-    }
-
     /**
-     * The record's message begins with the component and may name another that it is held against; the user wrote an
-     * option or a line of a file.
+     * The message begins with the parameter and may name another that it is held against; the user wrote an option or a
+     * line of a file.
      */
-    private static String inUsersWords(String message, Map<String, String> places) {
+    private static String inUsersWords(String message, Map<ParameterHandle, Given> given) {
         String text = message;
-        for (RecordComponent component : OPTIONS) {
-            String name = optionName(component);
-            if (message.startsWith(component.getName() + " ")) {
-                text = places.getOrDefault(name, name) + text.substring(component.getName().length());
-            } else if (!name.equals(component.getName())) {
-                text = text.replace(" " + component.getName() + " ", " " + name + " ");
+        for (ParameterHandle handle : OPTIONS) {
+            String name = optionName(handle);
+            if (message.startsWith(handle.name() + " ")) {
+                Given its = given.get(handle);
+                text = (its == null ? name : its.place) + text.substring(handle.name().length());
+            } else if (!name.equals(handle.name())) {
+                text = text.replace(" " + handle.name() + " ", " " + name + " ");
             }
         }
         return text;

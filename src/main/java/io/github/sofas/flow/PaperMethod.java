@@ -2,6 +2,7 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.paper.FlowPlane;
+import io.github.sofas.flow.paper.Numbers;
 import io.github.sofas.flow.paper.TrackPlane;
 import io.github.sofas.flow.paper.TrackPlaneStack;
 import java.util.List;
@@ -11,17 +12,18 @@ import java.util.function.Consumer;
 final class PaperMethod implements Method {
     private final SensorSize sensor;
     private final TrackPlaneStack stack;
-    private SofasParameters p;
+    private Numbers p;
     private FlowPlane flowPlane;
 
-    PaperMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
+    PaperMethod(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended) {
         this.sensor = sensor;
-        this.p = p;
+        p = Numbers.of(parameters);
         stack = new TrackPlaneStack(sensor, p, ended);
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
     }
 
-    static long mostBytes(SensorSize sensor, SofasParameters p) {
+    static long mostBytes(SensorSize sensor, SofasParameters parameters) {
+        Numbers p = Numbers.of(parameters);
         return FlowPlane.mostBytes(sensor, p) + TrackPlaneStack.mostBytes(sensor, p);
     }
 
@@ -40,10 +42,11 @@ final class PaperMethod implements Method {
     }
 
     @Override
-    public void setParameters(SofasParameters next) {
+    public void setParameters(SofasParameters parameters) {
+        Numbers next = Numbers.of(parameters);
         stack.setParameters(next);
         if (next.velocityScalePxPerS() == p.velocityScalePxPerS() && next.flowProjections() == p.flowProjections()
-                && next.rangeDeg() == p.rangeDeg() && next.lifespanUs() == p.lifespanUs()) {
+                && next.lifespanUs() == p.lifespanUs()) {
             flowPlane.setParameters(next);
         } else {
             flowPlane = new FlowPlane(sensor.width(), sensor.height(), next);

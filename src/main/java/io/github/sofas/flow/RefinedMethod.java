@@ -32,26 +32,27 @@ final class RefinedMethod implements Method {
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
         this.sensor = sensor;
         this.p = p;
-        lone = new LoneEvents(sensor.width(), sensor.height(), p.slowestPxPerS());
-        busy = new BusyPixels(sensor.width(), sensor.height(), p);
-        flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
-        stack = new TrackPlaneStack(sensor, p, newFit(p, TRACKED_ON_BOTH), ended);
+        lone = new LoneEvents(sensor.width(), sensor.height(), p.search().slowestPxPerS());
+        busy = new BusyPixels(sensor.width(), sensor.height(), p.search());
+        flowPlane = new FlowPlane(sensor.width(), sensor.height(), p.search());
+        stack = new TrackPlaneStack(sensor, p.track(), newFit(TRACKED_ON_BOTH), ended);
         search = newSearch(p);
     }
 
     private StructureSearch newSearch(SofasParameters p) {
-        return new StructureSearch(flowPlane, p, newFit(p, SEARCHED_ON_BOTH), new StackedStructures(stack));
+        return new StructureSearch(flowPlane, p.search(), newFit(SEARCHED_ON_BOTH), new StackedStructures(stack));
     }
 
-    private MetricFit newFit(SofasParameters p, int mostOnBoth) {
-        return new MetricFit(sensor.width(), sensor.height(), p.voteCellPx(), TrackPlaneStack.MOST_MEASURED,
+    private MetricFit newFit(int mostOnBoth) {
+        return new MetricFit(sensor.width(), sensor.height(), MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED,
             mostOnBoth);
     }
 
     static long mostBytes(SensorSize sensor, SofasParameters p) {
-        long fit = MetricFit.bytes(sensor.width(), sensor.height(), p.voteCellPx(), TrackPlaneStack.MOST_MEASURED);
-        return LoneEvents.bytes(sensor) + BusyPixels.bytes(sensor) + StructureSearch.mostBytes(sensor, p)
-            + TrackPlaneStack.mostBytes(sensor, p) + 2 * fit;
+        long fit = MetricFit.bytes(sensor.width(), sensor.height(), MetricFit.CELL_PX,
+            TrackPlaneStack.MOST_MEASURED);
+        return LoneEvents.bytes(sensor) + BusyPixels.bytes(sensor) + StructureSearch.mostBytes(sensor, p.search())
+            + TrackPlaneStack.mostBytes(sensor, p.track()) + 2 * fit;
     }
 
     @Override
@@ -75,24 +76,18 @@ final class RefinedMethod implements Method {
 
     @Override
     public void setParameters(SofasParameters next) {
-        boolean looksElsewhere = next.flowProjections() != p.flowProjections()
-            || next.slowestPxPerS() != p.slowestPxPerS() || next.fastestPxPerS() != p.fastestPxPerS()
-            || next.flowTravelPx() != p.flowTravelPx() || next.lifespanUs() != p.lifespanUs();
-        if (looksElsewhere) {
-            lone = new LoneEvents(sensor.width(), sensor.height(), next.slowestPxPerS());
-            busy = new BusyPixels(sensor.width(), sensor.height(), next);
-            flowPlane = new FlowPlane(sensor.width(), sensor.height(), next);
-        }
-        boolean measuresElsewise = next.voteCellPx() != p.voteCellPx();
-        if (looksElsewhere || measuresElsewise) {
+        SofasParameters.Search from = p.search();
+        SofasParameters.Search to = next.search();
+        if (to.flowProjections() != from.flowProjections() || to.slowestPxPerS() != from.slowestPxPerS()
+                || to.fastestPxPerS() != from.fastestPxPerS() || to.lifespanUs() != from.lifespanUs()) {
+            lone = new LoneEvents(sensor.width(), sensor.height(), to.slowestPxPerS());
+            busy = new BusyPixels(sensor.width(), sensor.height(), to);
+            flowPlane = new FlowPlane(sensor.width(), sensor.height(), to);
             search = newSearch(next);
         } else {
-            search.setParameters(next);
+            search.setParameters(to);
         }
-        stack.setParameters(next);
-        if (measuresElsewise) {
-            stack.setFit(newFit(next, TRACKED_ON_BOTH));
-        }
+        stack.setParameters(next.track());
         p = next;
     }
 
@@ -103,7 +98,8 @@ final class RefinedMethod implements Method {
 
     @Override
     public MetricArray metricArray() {
-        return new MetricArray(SofasParameters.Preset.DEFAULT, p.flowProjections(), flowPlane.metricsPerEvent());
+        return new MetricArray(SofasParameters.Preset.DEFAULT, p.search().flowProjections(),
+            flowPlane.metricsPerEvent());
     }
 
     @Override

@@ -43,7 +43,7 @@ public class MainTest {
             assertTrue(sofas.out, sofas.out.contains("\n  " + command + " "));
             Executed help = Executed.command(command, "--help");
             assertTrue(help.out, help.out.startsWith("Usage: sofas " + command + " "));
-            assertFalse("all options in the synopsis", help.out.contains("[--bend-px"));
+            assertFalse("all options in the synopsis", help.out.contains("[--evidence"));
             assertEquals("", help.err);
             assertEquals(0, help.exitCode);
             assertEquals(help.out, Executed.command("help", command).out);

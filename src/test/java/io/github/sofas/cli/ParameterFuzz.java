@@ -44,9 +44,9 @@ public final class ParameterFuzz {
     public static List<byte[]> seeds() {
         List<byte[]> seeds = new ArrayList<>();
         for (String text : List.of("lifetime-px=6\nmax-track-planes = 3\n# no more\nrotation: false\n", "",
-            "merge-loss=1e-2|--preset|paper|--cycles=2", "|--lifetime-px|5|--max-lifetime-px|4",
+            "evidence=1e-2|--preset|paper|--min-events=20", "|--lifetime-px|5|--max-lifetime-px|4",
             "|--method|lucas-kanade|--derivative|central-difference", "|--chip|DAVIS240C|--strict|-j|2",
-            "flow\\u002dtravel-px=6", "|--rotation|true|--quiet|--force|--name-with-extension",
+            "memory\\u002dpx=6", "|--rotation|true|--quiet|--force|--name-with-extension",
             "|evaluate|--skip-first-share|0.5", "|render|--panels|flow,segments|--crop|1,2,30,40|--slow|10",
             "|render|--exposure|20ms|--from|0.5|--every|5000|--theme|light")) {
             seeds.add(text.replace('|', '\0').getBytes(StandardCharsets.ISO_8859_1));

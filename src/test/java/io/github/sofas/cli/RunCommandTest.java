@@ -231,7 +231,7 @@ public class RunCommandTest {
         assertEquals(HEXAGON_EVENTS + 1, Files.readAllLines(out.resolve("hexagon.flow.csv")).size());
         String summary = Files.readString(out.resolve("hexagon.summary.json"));
         assertHas(summary, "\"preset\" : \"paper\"");
-        assertHas(summary, "\"lifetime-px\" : " + SofasParameters.paper().lifetimePx() + ",");
+        assertHas(summary, "\"lifetime-px\" : " + SofasParameters.paper().track().lifetimePx() + ",");
     }
 
     @Test
@@ -402,7 +402,7 @@ public class RunCommandTest {
         assertUsage("--lifetime-px must be between 1 and 100 but was 0", HEXAGON, "--lifetime-px", 0);
         assertUsage("--lifetime-px must be a number but was \"NaN\"", HEXAGON, "--lifetime-px", "NaN");
         assertUsage("--lifetime-px must be a number but was \"five\"", HEXAGON, "--lifetime-px", "five");
-        assertUsage("--cycles must be a whole number but was \"2.5\"", HEXAGON, "--cycles", 2.5);
+        assertUsage("--min-events must be a whole number but was \"20.5\"", HEXAGON, "--min-events", 20.5);
         assertUsage("--rotation must be one of [true, false] but was \"maybe\"", HEXAGON, "--rotation", "maybe");
         assertUsage("--max-lifetime-px must be at least lifetime-px 5 but was 2", HEXAGON, "--max-lifetime-px", 2);
         assertUsage("--jobs must be at least 1 but was 0", HEXAGON, "--jobs", 0);
@@ -419,13 +419,23 @@ public class RunCommandTest {
     @Test
     public void takesParametersFromAFileAndOptionsOverThem() throws IOException {
         Path config = Files.writeString(root.resolve("my.properties"),
-            "# mine\nlifetime-px = 6\n  cycles: 4\nrotation=false\n");
+            "# mine\nlifetime-px = 6\n  min-events: 44\nrotation=false\n");
         Path edge = writeEdge(root.resolve("edge.aedat"));
         assertEquals(0, run(edge, "--config", config, "--lifetime-px", 7).exitCode);
         String summary = Files.readString(out.resolve("edge.summary.json"));
         assertHas(summary, "\"lifetime-px\" : 7.0,");
-        assertHas(summary, "\"cycles\" : 4,");
+        assertHas(summary, "\"min-events\" : 44,");
         assertHas(summary, "\"rotation\" : false,");
+    }
+
+    @Test
+    public void tellsWhatBecameOfOldParameters() throws IOException {
+        assertUsage("--vote-cell-px was removed: it is always 1.3 px; see CHANGELOG.md", HEXAGON, "--vote-cell-px", 2);
+        assertUsage("--slow-share was removed: what it switched bought nothing that can be measured; see CHANGELOG.md",
+            HEXAGON, "--slow-share", 0);
+        Path config = Files.writeString(root.resolve("old.properties"), "lifetime-px=6\nforesight=0\n");
+        assertUsage("[old.properties] line 2: foresight was removed: acceleration=false is what 0 was; see "
+            + "CHANGELOG.md", HEXAGON, "--config", config);
     }
 
     @Test
@@ -438,8 +448,8 @@ public class RunCommandTest {
         Files.writeString(config, "\nlifetime-px=0\n");
         assertUsage("[my.properties] line 2: lifetime-px must be between 1 and 100 but was 0", HEXAGON, "--config",
             config);
-        Files.writeString(config, "cycles=few\n");
-        assertUsage("[my.properties] line 1: cycles must be a whole number but was \"few\"", HEXAGON, "--config",
+        Files.writeString(config, "min-events=few\n");
+        assertUsage("[my.properties] line 1: min-events must be a whole number but was \"few\"", HEXAGON, "--config",
             config);
         Files.write(config, new byte[] {(byte) 0xFF, '=', '3'});
         assertUsage("[my.properties] must be text in UTF-8 but is not", HEXAGON, "--config", config);

@@ -64,9 +64,9 @@ public class ConcurrencyTest {
             case 0:
                 SofasParameters p = random.nextInt(8) > 0 ? base : base.preset() == SofasParameters.Preset.PAPER
                     ? SofasParameters.defaults() : SofasParameters.paper();
-                sofas.setParameters(p.withFlowProjections(5 + random.nextInt(5))
-                    .withLifetimePx(1 + random.nextInt(5)).withMaxTrackPlanes(1 + random.nextInt(64))
-                    .withLifespanUs(100_000 + random.nextInt(900_000)));
+                sofas.setParameters(p.with("flowProjections", 5 + random.nextInt(5))
+                    .with("lifetimePx", 1 + random.nextInt(5)).with("maxTrackPlanes", 1 + random.nextInt(64))
+                    .with("lifespanUs", 100_000 + random.nextInt(900_000)));
                 break;
             case 1:
                 if (random.nextInt(4) == 0) {

@@ -2,8 +2,6 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.RecordComponent;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,7 +12,6 @@ import java.util.List;
  * are the preset, the sensor, changes of parameters, then events of five bytes.
  */
 public final class EngineFuzz {
-    private static final RecordComponent[] COMPONENTS = SofasParameters.class.getRecordComponents();
     private static final long MOST_BYTES = 100_000_000;
     private static final int EVENT_BYTES = 5;
     private static final int BATCH = 100;
@@ -34,7 +31,7 @@ public final class EngineFuzz {
             p = changed(p, in.get() & 0xFF, (in.get() & 0xFF) / 255.0);
         }
         // few planes, so that the bound lets the other parameters go far
-        p = p.withMaxTrackPlanes(Math.min(p.maxTrackPlanes(), 3));
+        p = p.with("maxTrackPlanes", Math.min(p.track().maxTrackPlanes(), 3));
         if (Sofas.mostBytes(sensor, p) < MOST_BYTES) {
             run(sensor, p, in);
         }
@@ -42,34 +39,18 @@ public final class EngineFuzz {
 
     /** A parameter at a place of its range, the ends included; the same where it contradicts another. */
     private static SofasParameters changed(SofasParameters p, int which, double place) {
-        RecordComponent component = COMPONENTS[1 + which % (COMPONENTS.length - 1)];
-        Object[] values = new Object[COMPONENTS.length];
-        Class<?>[] types = new Class<?>[COMPONENTS.length];
-        try {
-            for (int i = 0; i < COMPONENTS.length; i++) {
-                types[i] = COMPONENTS[i].getType();
-                values[i] = COMPONENTS[i].equals(component) ? value(component, place)
-                    : COMPONENTS[i].getAccessor().invoke(p);
-            }
-            return SofasParameters.class.getConstructor(types).newInstance(values);
-        } catch (InvocationTargetException e) {
-            return p;
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
-        }
-    }
-
-    private static Object value(RecordComponent component, double place) {
-        Parameter range = component.getAnnotation(Parameter.class);
-        if (component.getType() == boolean.class) {
-            return place > 0.5;
+        ParameterHandle handle = ParameterHandle.all().get(which % ParameterHandle.all().size());
+        if (handle.isSwitch()) {
+            return p.with(handle.name(), place > 0.5);
         }
         // more of the small values than of the large ones
+        Parameter range = handle.declaration();
         double value = range.min() + (range.max() - range.min()) * place * place * place;
-        if (component.getType() == int.class) {
-            return (int) value;
+        try {
+            return p.with(handle.name(), handle.isWhole() ? Math.floor(value) : value);
+        } catch (IllegalArgumentException e) {
+            return p;
         }
-        return component.getType() == long.class ? (Object) (long) value : (Object) value;
     }
 
     private static void run(SensorSize sensor, SofasParameters p, ByteBuffer in) {

@@ -36,7 +36,7 @@ public class HostileEventsTest {
                 sum = 31 * sum + Float.floatToIntBits(output.vxPxPerS[i]);
                 sum = 31 * sum + Float.floatToIntBits(output.vyPxPerS[i]);
             }
-            assertTrue(name, sofas.segments().size() <= p.maxTrackPlanes());
+            assertTrue(name, sofas.segments().size() <= p.track().maxTrackPlanes());
             sofas.segments().forEach(segment -> check(name, segment, sensor));
         }
         ended.forEach(segment -> check(name, segment, sensor));

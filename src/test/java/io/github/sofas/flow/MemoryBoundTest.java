@@ -108,7 +108,7 @@ public class MemoryBoundTest {
     @Test
     public void boundIsNotFarAboveWhatIsHeld() throws Exception {
         for (SofasParameters preset : List.of(SofasParameters.defaults(), SofasParameters.paper())) {
-            SofasParameters p = preset.withMaxTrackPlanes(1);
+            SofasParameters p = preset.with("maxTrackPlanes", 1);
             long held = measured(new Sofas(SENSOR, p));
             long most = Sofas.mostBytes(SENSOR, p);
             long events = p.preset() == SofasParameters.Preset.DEFAULT ? 52_000_000 : 30_000_000;

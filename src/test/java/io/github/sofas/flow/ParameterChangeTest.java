@@ -54,7 +54,7 @@ public class ParameterChangeTest {
             for (int i = 0; i + BATCH <= FILM.size(); i += BATCH) {
                 EventBatch batch = Streams.batch(FILM.subList(i, i + BATCH));
                 // a copy that is equal but not the same
-                other.setParameters(p.withMinEvents(p.minEvents()));
+                other.setParameters(p.with("minEvents", p.search().minEvents()));
                 sofas.process(batch, expected);
                 other.process(batch, output);
                 assertEquals(Arrays.toString(expected.segment), Arrays.toString(output.segment));
@@ -66,9 +66,9 @@ public class ParameterChangeTest {
     @Test
     public void segmentsAreTrackedOnUnderTheirIds() {
         SofasParameters p = SofasParameters.defaults();
-        for (SofasParameters next : List.of(p.withContourShare(0.12), p.withMaxLifetimePx(12), p.withVoteCellPx(1.5),
-                p.withFlowProjections(9), p.withFastestPxPerS(900), p.withLifespanUs(1_000_000),
-                p.withMaxTrackPlanes(32))) {
+        for (SofasParameters next : List.of(p.with("minShare", 0.25), p.with("maxLifetimePx", 12),
+                p.with("flowProjections", 9), p.with("fastestPxPerS", 900), p.with("lifespanUs", 1_000_000),
+                p.with("maxTrackPlanes", 32))) {
             Sofas sofas = tracking(p);
             List<Integer> before = ids(sofas);
             sofas.setParameters(next);
@@ -81,8 +81,8 @@ public class ParameterChangeTest {
     @Test
     public void segmentsOfThePaperPresetAreTrackedOnUnderTheirIds() {
         SofasParameters p = SofasParameters.paper();
-        for (SofasParameters next : List.of(p.withContourThreshold(4), p.withHitShare(0.12), p.withCycles(2),
-                p.withFlowProjections(7), p.withLifespanUs(150_000), p.withConstantEvents(200))) {
+        for (SofasParameters next : List.of(p.with("minShare", 0.15), p.with("lifetimePx", 3.5),
+                p.with("flowProjections", 7), p.with("lifespanUs", 150_000), p.with("constantEvents", 200))) {
             Sofas sofas = tracking(p);
             List<Integer> before = ids(sofas);
             sofas.setParameters(next);
@@ -96,7 +96,7 @@ public class ParameterChangeTest {
     public void changeTakesEffectWithTheNextBatch() {
         Sofas sofas = tracking(SofasParameters.defaults());
         assertTrue("segments " + ids(sofas), ids(sofas).size() > 1);
-        sofas.setParameters(SofasParameters.defaults().withMaxTrackPlanes(1));
+        sofas.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 1));
         assertEquals(List.of(), ended);
         sofas.process(Streams.batch(List.of()), output);
         assertEquals(1, sofas.segments().size());
@@ -107,7 +107,7 @@ public class ParameterChangeTest {
     public void scaleOfThePaperEndsItsSegmentsAndUsesNoIdTwice() {
         Sofas sofas = tracking(SofasParameters.paper());
         List<Integer> before = ids(sofas);
-        sofas.setParameters(SofasParameters.paper().withVelocityScalePxPerS(120));
+        sofas.setParameters(SofasParameters.paper().with("velocityScalePxPerS", 120));
         show(sofas, FILM.size() / 2, FILM.size());
         assertTrue(ended.stream().map(Segment::id).toList().containsAll(before));
         assertTrue("found anew", !sofas.segments().isEmpty());
@@ -157,9 +157,9 @@ public class ParameterChangeTest {
         Random random = new Random(4);
         while (labeller.isAlive()) {
             SofasParameters p = random.nextInt(20) == 0 ? SofasParameters.paper() : SofasParameters.defaults();
-            sofas.setParameters(p.withFlowProjections(5 + random.nextInt(9)).withLifetimePx(1 + random.nextInt(5))
-                .withVoteCellPx(1 + random.nextDouble()).withMaxTrackPlanes(1 + random.nextInt(64))
-                .withLifespanUs(100_000 + random.nextInt(900_000)));
+            sofas.setParameters(p.with("flowProjections", 5 + random.nextInt(9))
+                .with("lifetimePx", 1 + random.nextInt(5)).with("memoryPx", 100 * random.nextDouble())
+                .with("maxTrackPlanes", 1 + random.nextInt(64)).with("lifespanUs", 100_000 + random.nextInt(900_000)));
             Thread.sleep(1);
         }
         assertNull(thrown.get());
@@ -168,7 +168,7 @@ public class ParameterChangeTest {
     @Test
     public void metricArrayIsGreatestAtTheVelocityThatWaitingEventsHave() {
         // an edge that moves a column in 10 ms, 100 px/s to the right, which is 45 degrees of the paper's scale
-        Sofas sofas = new Sofas(SENSOR, SofasParameters.paper().withConstantEvents(100_000));
+        Sofas sofas = new Sofas(SENSOR, SofasParameters.paper().with("constantEvents", 100_000));
         sofas.process(Streams.batch(Streams.edge(20, 12, 40, 0, 10_000)), new FlowOutput(480));
         MetricArray array = sofas.metricArray();
         assertEquals(SofasParameters.Preset.PAPER, array.preset());
@@ -187,7 +187,7 @@ public class ParameterChangeTest {
         for (SofasParameters p : List.of(SofasParameters.paper(), SofasParameters.defaults())) {
             MetricArray array = new Sofas(SENSOR, p).metricArray();
             assertEquals(p.preset(), array.preset());
-            assertEquals(p.flowProjections(), array.n());
+            assertEquals(p.search().flowProjections(), array.n());
             assertEquals(0, array.perEvent(array.n() - 1, array.n() - 1), 0);
         }
     }

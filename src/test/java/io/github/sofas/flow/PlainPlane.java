@@ -59,7 +59,8 @@ public final class PlainPlane {
         return Math.max(-89, Math.min(89, angleDeg));
     }
 
-    public static double velocity(SofasParameters p, double angleDeg) {
-        return p.velocityScalePxPerS() * Math.tan(Math.toRadians(angleDeg));
+    /** Velocity of a projection at an angle. */
+    public static double velocity(double scalePxPerS, double angleDeg) {
+        return scalePxPerS * Math.tan(Math.toRadians(angleDeg));
     }
 }

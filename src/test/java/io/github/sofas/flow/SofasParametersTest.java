@@ -6,96 +6,82 @@ import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.RecordComponent;
-import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.junit.Test;
 
 public class SofasParametersTest {
-    /** Component, paper, default; in the record's order. */
+    /** Name, value by default, value of the paper preset or "-" where it makes no use of it; in the order of help. */
     private static final String PINNED = """
-        preset PAPER DEFAULT
         flowProjections 9 9
-        velocityScalePxPerS 100.0 100.0
-        rangeDeg 180.0 180.0
-        refinement 9.0 9.0
-        cycles 3 3
-        constantEvents 300 300
-        slowestPxPerS 4.0 4.0
-        fastestPxPerS 1500.0 1500.0
-        flowTravelPx 6.0 6.0
-        lifespanUs 200000 1500000
-        thresholdSd 1.0 0.5
+        slowestPxPerS 4.0 -
+        fastestPxPerS 1500.0 -
+        lifespanUs 1500000 200000
+        thresholdSd 0.5 1.0
         minEvents 40 40
-        evidence 0.0 2.5
-        slowestWithin 0.03 0.03
-        lifetimePx 3.0 5.0
-        maxLifetimePx 3.0 16.0
-        maxLifetimeUs 1000000 1000000
-        steadyPx 0.15 0.15
-        hitShare 0.1 0.1
-        minPerturbationDeg 0.05 0.05
-        maxPerturbationDeg 4.0 4.0
-        contourThreshold 3 3
-        contourShare 0.15 0.15
-        memoryPx 0.0 64.0
-        maxMemoryUs 0 2000000
-        voteCellPx 1.3 1.3
-        sampleEvents 2000 1000
-        sampleDensity 1.5 1.5
-        neighbourLoss 0.04 0.04
-        minStepPx 0.5 0.5
-        maxStepPx 4.0 4.0
-        flatSigmas 2.0 2.0
-        stiffness 0.002 0.002
-        sharedScore 0.5 0.5
-        foresight 1.0 1.0
-        maxBendPx 0.25 0.25
-        flatChange 0.1 0.1
-        rotation false true
-        changePx 1.5 1.5
-        changeGain 0.5 0.5
-        bendPx 0.07 0.07
-        flatDecay 0.05 0.05
-        maxShared 0.15 0.15
+        evidence 2.5 -
+        lifetimePx 5.0 3.0
+        maxLifetimePx 16.0 -
+        memoryPx 64.0 -
+        acceleration true -
+        rotation true -
         maxTrackPlanes 64 64
-        minShare 0.2 0.3
-        mergeVelocity 0.15 0.15
-        mergeLoss 0.02 0.02
-        mergeGapShare 0.8 0.8
+        minShare 0.3 0.2
+        velocityScalePxPerS - 100.0
+        constantEvents - 300
         """;
-
-    private static final List<RecordComponent> NUMBERS = new ArrayList<>();
-
-    static {
-        for (RecordComponent component : SofasParameters.class.getRecordComponents()) {
-            if (component.getAnnotation(Parameter.class) != null && component.getType() != boolean.class) {
-                NUMBERS.add(component);
-            }
-        }
-    }
+    /** As many as people can hold in their heads. */
+    private static final int MOST = 20;
+    private static final List<SofasParameters> PRESETS = List.of(SofasParameters.paper(), SofasParameters.defaults());
+    private static final List<ParameterHandle> NUMBERS = ParameterHandle.all().stream()
+        .filter(handle -> !handle.isSwitch()).toList();
 
     @Test
     public void presetsAreWhatTheyAre() {
         StringBuilder table = new StringBuilder();
-        for (RecordComponent c : SofasParameters.class.getRecordComponents()) {
-            table.append(c.getName()).append(' ').append(get(SofasParameters.paper(), c)).append(' ')
-                .append(get(SofasParameters.defaults(), c)).append('\n');
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            table.append(handle.name()).append(' ').append(inPreset(handle, SofasParameters.defaults())).append(' ')
+                .append(inPreset(handle, SofasParameters.paper())).append('\n');
         }
         assertEquals(PINNED, table.toString());
+        assertEquals(SofasParameters.Preset.PAPER, SofasParameters.paper().preset());
+        assertEquals(SofasParameters.Preset.DEFAULT, SofasParameters.defaults().preset());
+    }
+
+    private static Object inPreset(ParameterHandle handle, SofasParameters preset) {
+        return handle.isUsedBy(preset.preset()) ? handle.get(preset) : "-";
     }
 
     @Test
-    public void everyComponentButThePresetIsDescribed() {
-        for (RecordComponent c : SofasParameters.class.getRecordComponents()) {
-            Parameter parameter = c.getAnnotation(Parameter.class);
-            assertEquals(c.getName(), c.getType() == SofasParameters.Preset.class, parameter == null);
-            if (parameter != null) {
-                assertFalse(c.getName(), parameter.value().isBlank());
-                assertEquals(c.getName(), unitInName(c.getName()), parameter.unit());
-                assertTrue(c.getName(), parameter.min() < parameter.max());
+    public void valueThatAPresetMakesNoUseOfIsThatOfTheOther() {
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            if (!handle.isUsedBy(SofasParameters.Preset.PAPER)) {
+                assertEquals(handle.name(), handle.get(SofasParameters.defaults()),
+                    handle.get(SofasParameters.paper()));
             }
+        }
+    }
+
+    @Test
+    public void thereAreNoMoreThanPeopleCanHoldInTheirHeads() {
+        assertTrue(ParameterHandle.all().size() <= MOST);
+    }
+
+    @Test
+    public void everyParameterIsDescribedAndOfAPreset() {
+        Set<String> names = new HashSet<>();
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            Parameter parameter = handle.declaration();
+            String name = handle.name();
+            assertTrue(name + " twice", names.add(name));
+            assertFalse(name, parameter.value().isBlank());
+            assertTrue(name, parameter.origin().startsWith("ours, ") || parameter.origin().contains("paper"));
+            assertEquals(name, unitInName(name), parameter.unit());
+            assertTrue(name, parameter.min() < parameter.max());
+            assertTrue(name, List.of(SofasParameters.Preset.values()).stream().anyMatch(handle::isUsedBy));
+            assertFalse(name, handle.group().isBlank());
         }
     }
 
@@ -106,41 +92,38 @@ public class SofasParametersTest {
 
     @Test
     public void bothBoundsAreAllowed() {
-        for (RecordComponent c : NUMBERS) {
-            Parameter range = c.getAnnotation(Parameter.class);
-            assertEquals(c.getName(), number(c, range.min()), get(allowing(c, range.min()), c));
-            assertEquals(c.getName(), number(c, range.max()), get(allowing(c, range.max()), c));
+        for (ParameterHandle handle : NUMBERS) {
+            Parameter range = handle.declaration();
+            for (double bound : new double[] {range.min(), range.max()}) {
+                SofasParameters p = baseAllowing(handle, bound).with(handle.name(), bound);
+                assertEquals(handle.name(), bound, handle.number(p), 0);
+            }
         }
     }
 
     @Test
     public void theNextValueBeyondEachBoundIsRefused() {
-        for (RecordComponent c : NUMBERS) {
-            Parameter range = c.getAnnotation(Parameter.class);
-            boolean whole = c.getType() != double.class;
-            assertRefused(c, whole ? range.min() - 1 : Math.nextDown(range.min()));
-            assertRefused(c, whole ? range.max() + 1 : Math.nextUp(range.max()));
+        for (ParameterHandle handle : NUMBERS) {
+            Parameter range = handle.declaration();
+            assertRefused(handle, handle.isWhole() ? range.min() - 1 : Math.nextDown(range.min()));
+            assertRefused(handle, handle.isWhole() ? range.max() + 1 : Math.nextUp(range.max()));
         }
     }
 
     @Test
     public void whatIsNoNumberIsRefused() {
-        for (RecordComponent c : NUMBERS) {
-            if (c.getType() == double.class) {
-                assertRefused(c, Double.NaN);
-                assertRefused(c, Double.POSITIVE_INFINITY);
-                assertRefused(c, Double.NEGATIVE_INFINITY);
-            }
+        for (ParameterHandle handle : NUMBERS) {
+            assertRefused(handle, Double.NaN);
+            assertRefused(handle, Double.POSITIVE_INFINITY);
+            assertRefused(handle, Double.NEGATIVE_INFINITY);
         }
     }
 
-    private static void assertRefused(RecordComponent c, double value) {
-        Parameter range = c.getAnnotation(Parameter.class);
-        for (SofasParameters base : List.of(SofasParameters.paper(), SofasParameters.defaults())) {
-            IllegalArgumentException e =
-                assertThrows(c.getName(), IllegalArgumentException.class, () -> with(base, c, number(c, value)));
-            assertEquals(c.getName() + " must be between " + text(range.min()) + " and " + text(range.max())
-                + " but was " + text(value), e.getMessage());
+    private static void assertRefused(ParameterHandle handle, double value) {
+        Parameter range = handle.declaration();
+        for (SofasParameters base : PRESETS) {
+            assertMessage(handle.name() + " must be between " + text(range.min()) + " and " + text(range.max())
+                + " but was " + text(value), () -> base.with(handle.name(), value));
         }
     }
 
@@ -150,142 +133,93 @@ public class SofasParametersTest {
             : String.valueOf(value);
     }
 
+    private static void assertMessage(String message, org.junit.function.ThrowingRunnable refused) {
+        assertEquals(message, assertThrows(message, IllegalArgumentException.class, refused).getMessage());
+    }
+
     @Test
-    public void missingPresetIsRefused() {
-        Object[] values = values(SofasParameters.paper());
-        values[0] = null;
-        assertEquals("preset must be paper or default but was null",
-            assertThrows(IllegalArgumentException.class, () -> make(values)).getMessage());
+    public void valueOfTheWrongKindIsRefused() {
+        SofasParameters p = SofasParameters.defaults();
+        assertMessage("minEvents must be a whole number but was 40.5", () -> p.with("minEvents", 40.5));
+        assertMessage("rotation must be true or false but was 1", () -> p.with("rotation", 1));
+        assertMessage("lifetimePx must be a number but was true", () -> p.with("lifetimePx", true));
+        assertTrue(assertThrows(IllegalArgumentException.class, () -> p.with("lifetime", 5)).getMessage()
+            .startsWith("no parameter is called \"lifetime\"; there are flowProjections, slowestPxPerS, "));
+    }
+
+    @Test
+    public void missingPresetOrGroupIsRefused() {
+        SofasParameters p = SofasParameters.paper();
+        assertMessage("preset must be paper or default but was null",
+            () -> new SofasParameters(null, p.search(), p.track(), p.published()));
+        assertMessage("track must be given but was null",
+            () -> new SofasParameters(p.preset(), p.search(), null, p.published()));
     }
 
     @Test
     public void fastestRingIsAtLeastTwiceAsFastAsTheSlowest() {
-        SofasParameters p = SofasParameters.defaults().withSlowestPxPerS(10);
-        assertEquals(20, p.withFastestPxPerS(20).fastestPxPerS(), 0);
-        assertEquals("fastestPxPerS must be at least twice slowestPxPerS 10 but was 19.5",
-            assertThrows(IllegalArgumentException.class, () -> p.withFastestPxPerS(19.5)).getMessage());
+        SofasParameters p = SofasParameters.defaults().with("slowestPxPerS", 10);
+        assertEquals(20, p.with("fastestPxPerS", 20).search().fastestPxPerS(), 0);
+        assertMessage("fastestPxPerS must be at least twice slowestPxPerS 10 but was 19.5",
+            () -> p.with("fastestPxPerS", 19.5));
     }
 
     @Test
     public void lifetimeGrowsToNoLessThanItStartsWith() {
-        SofasParameters p = SofasParameters.defaults().withMaxLifetimePx(8);
-        assertEquals(8, p.withLifetimePx(8).lifetimePx(), 0);
-        assertEquals("maxLifetimePx must be at least lifetimePx 8.5 but was 8",
-            assertThrows(IllegalArgumentException.class, () -> p.withLifetimePx(8.5)).getMessage());
+        SofasParameters p = SofasParameters.defaults().with("maxLifetimePx", 8);
+        assertEquals(8, p.with("lifetimePx", 8).track().lifetimePx(), 0);
+        assertMessage("maxLifetimePx must be at least lifetimePx 8.5 but was 8", () -> p.with("lifetimePx", 8.5));
+        // the lifetime of the paper does not grow
+        assertEquals(50, SofasParameters.paper().with("lifetimePx", 50).track().lifetimePx(), 0);
     }
 
     @Test
-    public void changingOneComponentLeavesTheOthers() {
-        for (RecordComponent c : SofasParameters.class.getRecordComponents()) {
-            Parameter range = c.getAnnotation(Parameter.class);
-            if (range == null) {
-                continue;
-            }
-            if (c.getType() == boolean.class) {
-                assertChangesOnly(c, SofasParameters.defaults(), !(boolean) get(SofasParameters.defaults(), c));
-            } else {
-                assertChangesOnly(c, baseAllowing(c, range.min()), number(c, range.min()));
-                assertChangesOnly(c, baseAllowing(c, range.max()), number(c, range.max()));
+    public void valuesThatBoundEachOtherAreTakenTogether() {
+        SofasParameters p = SofasParameters.defaults().with(Map.of("lifetimePx", 30, "maxLifetimePx", 40));
+        assertEquals(30, p.track().lifetimePx(), 0);
+        assertEquals(40, p.track().maxLifetimePx(), 0);
+    }
+
+    @Test
+    public void boundsByOthersAreKnown() {
+        SofasParameters p = SofasParameters.defaults();
+        assertEquals(5, ParameterHandle.named("maxLifetimePx").least(p), 0);
+        assertEquals(16, ParameterHandle.named("lifetimePx").most(p), 0);
+        assertEquals(8, ParameterHandle.named("fastestPxPerS").least(p), 0);
+        assertEquals(750, ParameterHandle.named("slowestPxPerS").most(p), 0);
+        assertEquals(100, ParameterHandle.named("lifetimePx").most(SofasParameters.paper()), 0);
+    }
+
+    @Test
+    public void changingOneParameterLeavesTheOthers() {
+        for (ParameterHandle changed : ParameterHandle.all()) {
+            SofasParameters base = SofasParameters.defaults();
+            double value = changed.least(base);
+            SofasParameters next = changed.isSwitch() ? base.with(changed.name(), !(boolean) changed.get(base))
+                : base.with(changed.name(), value);
+            for (ParameterHandle handle : ParameterHandle.all()) {
+                if (handle == changed) {
+                    assertNotEquals(handle.name(), handle.get(base), handle.get(next));
+                } else {
+                    assertEquals(handle.name(), handle.get(base), handle.get(next));
+                }
             }
         }
     }
 
-    private static void assertChangesOnly(RecordComponent changed, SofasParameters base, Object value) {
-        Object[] expected = values(base);
-        RecordComponent[] components = SofasParameters.class.getRecordComponents();
-        for (int i = 0; i < components.length; i++) {
-            if (components[i].getName().equals(changed.getName())) {
-                expected[i] = value;
-            }
-        }
-        SofasParameters result = with(base, changed, value);
-        assertEquals(changed.getName(), List.of(expected), List.of(values(result)));
-        assertEquals(changed.getName(), make(expected), result);
-    }
-
     @Test
-    public void presetsDiffer() {
+    public void equalValuesAreEqual() {
         assertNotEquals(SofasParameters.paper(), SofasParameters.defaults());
+        assertEquals(SofasParameters.defaults(), SofasParameters.of(SofasParameters.Preset.DEFAULT));
+        assertEquals(SofasParameters.defaults(), SofasParameters.defaults().with("minEvents", 40));
     }
 
-    private static SofasParameters allowing(RecordComponent c, double value) {
-        return with(baseAllowing(c, value), c, number(c, value));
-    }
-
-    /** Parameters under which a value breaks no rule between two components: others at their least, or greatest. */
-    private static SofasParameters baseAllowing(RecordComponent c, double value) {
-        List<SofasParameters> bases = List.of(SofasParameters.defaults(), atBounds(true), atBounds(false));
-        IllegalArgumentException refused = null;
-        for (SofasParameters base : bases) {
-            try {
-                with(base, c, number(c, value));
-                return base;
-            } catch (IllegalArgumentException e) {
-                refused = e;
-            }
+    /** Parameters under which a value breaks no rule between two: others at their least, or greatest. */
+    private static SofasParameters baseAllowing(ParameterHandle handle, double value) {
+        SofasParameters p = SofasParameters.defaults();
+        if (handle.name().equals("lifetimePx") || handle.name().equals("maxLifetimePx")) {
+            return p.with(Map.of("lifetimePx", 1, "maxLifetimePx", 100));
         }
-        throw refused;
-    }
-
-    private static SofasParameters atBounds(boolean least) {
-        RecordComponent[] components = SofasParameters.class.getRecordComponents();
-        Object[] values = values(SofasParameters.defaults());
-        for (int i = 0; i < components.length; i++) {
-            Parameter range = components[i].getAnnotation(Parameter.class);
-            if (values[i] instanceof Number) {
-                values[i] = number(components[i], least ? range.min() : range.max());
-            }
-        }
-        return make(values);
-    }
-
-    private static Object number(RecordComponent c, double value) {
-        if (c.getType() == int.class) {
-            return (int) value;
-        }
-        return c.getType() == long.class ? (Object) (long) value : (Object) value;
-    }
-
-    private static Object get(SofasParameters p, RecordComponent c) {
-        try {
-            return c.getAccessor().invoke(p);
-        } catch (ReflectiveOperationException e) {
-            throw new AssertionError(c.getName(), e);
-        }
-    }
-
-    private static Object[] values(SofasParameters p) {
-        RecordComponent[] components = SofasParameters.class.getRecordComponents();
-        Object[] values = new Object[components.length];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = get(p, components[i]);
-        }
-        return values;
-    }
-
-    private static SofasParameters make(Object[] values) {
-        RecordComponent[] components = SofasParameters.class.getRecordComponents();
-        Class<?>[] types = new Class<?>[components.length];
-        for (int i = 0; i < types.length; i++) {
-            types[i] = components[i].getType();
-        }
-        try {
-            return SofasParameters.class.getDeclaredConstructor(types).newInstance(values);
-        } catch (InvocationTargetException e) {
-            throw (IllegalArgumentException) e.getCause();
-        } catch (ReflectiveOperationException e) {
-            throw new AssertionError(e);
-        }
-    }
-
-    private static SofasParameters with(SofasParameters p, RecordComponent c, Object value) {
-        String method = "with" + Character.toUpperCase(c.getName().charAt(0)) + c.getName().substring(1);
-        try {
-            return (SofasParameters) SofasParameters.class.getMethod(method, c.getType()).invoke(p, value);
-        } catch (InvocationTargetException e) {
-            throw (IllegalArgumentException) e.getCause();
-        } catch (ReflectiveOperationException e) {
-            throw new AssertionError(method, e);
-        }
+        return value < 100 ? p.with("slowestPxPerS", 0.1) : p.with("fastestPxPerS", 100_000);
     }
 }

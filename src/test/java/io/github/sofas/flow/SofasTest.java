@@ -383,7 +383,7 @@ public class SofasTest {
     public void noMoreTrackPlanesThanAllowedAreAlive() {
         List<Event> film = Streams.filmed(Scene.SIXTEEN, new SensorSize(240, 180), 1, 0, 12_000);
         for (SofasParameters preset : PRESETS) {
-            Sofas sofas = new Sofas(new SensorSize(240, 180), preset.withMaxTrackPlanes(3));
+            Sofas sofas = new Sofas(new SensorSize(240, 180), preset.with("maxTrackPlanes", 3));
             FlowOutput output = new FlowOutput(200);
             int most = 0;
             for (int i = 0; i + 200 <= film.size(); i += 200) {
@@ -433,7 +433,7 @@ public class SofasTest {
             for (SensorSize sensor : List.of(new SensorSize(1, 1), new SensorSize(1280, 720), new SensorSize(1, 720),
                 new SensorSize(1280, 1))) {
                 // fewer projections, so that the test's memory is modest
-                Sofas sofas = new Sofas(sensor, p.withFlowProjections(5));
+                Sofas sofas = new Sofas(sensor, p.with("flowProjections", 5));
                 List<Event> corners = new ArrayList<>();
                 for (int i = 0; i < 4000; i++) {
                     corners.add(new Event((i & 1) * (sensor.width() - 1), (i >> 1 & 1) * (sensor.height() - 1),

@@ -5,6 +5,17 @@ package io.github.sofas.flow.fit;
  * projections around a motion, a quadratic through the nine values, and one step to its top.
  */
 public final class MetricFit {
+    /** Side of the cells that votes are given to: cells as large as pixels favour whole pixels of travel. */
+    public static final double CELL_PX = 1.3;
+    /** Share of the metric that neighbouring projections are to lose: an edge is sharp across and flat along. */
+    public static final double NEIGHBOUR_LOSS = 0.04;
+    /** Smallest distance of neighbouring projections over half the window: closer ones differ by noise only. */
+    public static final double MIN_STEP_PX = 0.5;
+    /** Greatest distance of neighbouring projections over half the window. */
+    public static final double MAX_STEP_PX = 4;
+    /** Standard deviations of the metric that neighbours must lose for a direction to take a step. */
+    public static final double FLAT_SIGMAS = 2;
+
     /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
     private static final double CHANGE_SIGMAS = 0.5;
     private static final int EVENT_BYTES = 12 * Integer.BYTES + Byte.BYTES;

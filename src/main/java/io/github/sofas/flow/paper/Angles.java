@@ -1,7 +1,5 @@
 package io.github.sofas.flow.paper;
 
-import io.github.sofas.flow.SofasParameters;
-
 /** The angles that the paper spaces its projections by (sections Flow Plane and Track Plane), in degrees. */
 final class Angles {
     /** Steepest projection: 57 times the velocity scale. */
@@ -21,7 +19,7 @@ final class Angles {
     }
 
     /** Velocity of a projection at an angle, in px/s. */
-    static double velocity(double angleDeg, SofasParameters p) {
+    static double velocity(double angleDeg, Numbers p) {
         return p.velocityScalePxPerS() * StrictMath.tan(Math.toRadians(angleDeg));
     }
 }

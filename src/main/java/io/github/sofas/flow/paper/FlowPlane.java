@@ -1,7 +1,6 @@
 package io.github.sofas.flow.paper;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Projection;
 
 /**
@@ -18,7 +17,7 @@ public final class FlowPlane {
     /** Most events that wait for a structure, so that no cell overflows; where there are more, the oldest go early. */
     static final int MOST_EVENTS = Short.MAX_VALUE;
 
-    private SofasParameters p;
+    private Numbers p;
     private final int n;
     private final Votes votes;
     /** Which of the votes that wait are an event's first, after each of which the greatest metric counts. */
@@ -37,7 +36,7 @@ public final class FlowPlane {
     private int constantFor;
 
     /** Makes an empty plane for a sensor of so many px. */
-    public FlowPlane(int width, int height, SofasParameters p) {
+    public FlowPlane(int width, int height, Numbers p) {
         this.p = p;
         n = p.flowProjections();
         votes = new Votes(width, height, p);
@@ -45,7 +44,7 @@ public final class FlowPlane {
     }
 
     /** The most bytes that its arrays take, and those of what refines its structures. */
-    public static long mostBytes(SensorSize sensor, SofasParameters p) {
+    public static long mostBytes(SensorSize sensor, Numbers p) {
         long columns = 0;
         long rows = 0;
         for (int i = 0; i < p.flowProjections(); i++) {
@@ -63,12 +62,12 @@ public final class FlowPlane {
     }
 
     /** Velocity of the i-th projection along an axis. */
-    static int velocity(int i, SofasParameters p) {
+    static int velocity(int i, Numbers p) {
         return Projection.fixed(Angles.velocity(Angles.at(i, p.flowProjections(), p.rangeDeg()), p));
     }
 
     /** Side of a torus that no two live events of different cells share a cell of. */
-    static int side(int sensorSide, int velocity, SofasParameters p) {
+    static int side(int sensorSide, int velocity, Numbers p) {
         return side(sensorSide + 2 + Math.abs(Projection.travelled(velocity, p.lifespanUs())));
     }
 
@@ -122,7 +121,7 @@ public final class FlowPlane {
     }
 
     /** Looks on with other parameters that leave the projections and the lifespan as they are. */
-    public void setParameters(SofasParameters next) {
+    public void setParameters(Numbers next) {
         settle();
         p = next;
         refinement = new Refinement(p);

@@ -1,6 +1,5 @@
 package io.github.sofas.flow.paper;
 
-import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Projection;
 import java.util.Arrays;
 
@@ -12,7 +11,7 @@ import java.util.Arrays;
  * by a side or a corner.
  */
 final class Refinement {
-    private final SofasParameters p;
+    private final Numbers p;
     private final int n;
 
     private long[] time = new long[0];
@@ -36,7 +35,7 @@ final class Refinement {
     private double angleX;
     private double angleY;
 
-    Refinement(SofasParameters p) {
+    Refinement(Numbers p) {
         this.p = p;
         n = p.flowProjections();
     }

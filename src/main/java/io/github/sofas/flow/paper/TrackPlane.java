@@ -3,7 +3,6 @@ package io.github.sofas.flow.paper;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
-import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Projection;
 import java.util.Arrays;
 
@@ -21,7 +20,7 @@ public final class TrackPlane {
     /** Length of arrays that is always enough: full at most half, they are moved to the front seldom. */
     private static final int LONGEST = 2 * (MOST_EVENTS + 1);
 
-    private SofasParameters p;
+    private Numbers p;
     private final int maskX;
     private final int maskY;
     private final int shift;
@@ -72,7 +71,7 @@ public final class TrackPlane {
     int maxX;
     int maxY;
 
-    TrackPlane(int width, int height, SofasParameters p) {
+    TrackPlane(int width, int height, Numbers p) {
         this.p = p;
         int sizeX = side(width, p);
         int sizeY = side(height, p);
@@ -86,7 +85,7 @@ public final class TrackPlane {
     }
 
     /** The most bytes that its arrays take. */
-    static long mostBytes(SensorSize sensor, SofasParameters p) {
+    static long mostBytes(SensorSize sensor, Numbers p) {
         long cells = (long) side(sensor.width(), p) * side(sensor.height(), p);
         // nine accumulators, raised counts, their folds, and the list of raised cells, as long as it may have grown
         return cells * (10 * Short.BYTES + 3 * Integer.BYTES)
@@ -94,7 +93,7 @@ public final class TrackPlane {
     }
 
     /** Side of a torus that no two live events of different cells share a cell of. */
-    static int side(int sensorSide, SofasParameters p) {
+    static int side(int sensorSide, Numbers p) {
         return FlowPlane.side(sensorSide + Math.ceil(farthestTravel(p)));
     }
 
@@ -104,20 +103,20 @@ public final class TrackPlane {
      * L tan(a + h) / tan(a), or, below the speed whose lifetime is the longest, T tan(a + h). The first is greatest at
      * one of its ends, the second where it meets the first.
      */
-    private static double farthestTravel(SofasParameters p) {
+    private static double farthestTravel(Numbers p) {
         double longestS = p.maxLifetimeUs() * 1e-6;
         double slow = Math.toDegrees(Math.atan(p.lifetimePx() / longestS / p.velocityScalePxPerS()));
         double steep = Math.max(slow, Angles.STEEPEST_DEG - p.maxPerturbationDeg());
         return Math.max(travel(p, slow, longestS), travel(p, steep, longestS));
     }
 
-    private static double travel(SofasParameters p, double angleDeg, double longestS) {
+    private static double travel(Numbers p, double angleDeg, double longestS) {
         double lifetimeS = Math.min(longestS, p.lifetimePx() / Angles.velocity(angleDeg, p));
         return Angles.velocity(Angles.limited(angleDeg + p.maxPerturbationDeg()), p) * lifetimeS;
     }
 
     /** Tracks on with other parameters that leave the velocity scale and the accumulators' size as they are. */
-    void setParameters(SofasParameters next) {
+    void setParameters(Numbers next) {
         p = next;
     }
 

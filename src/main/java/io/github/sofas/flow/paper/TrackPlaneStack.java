@@ -3,7 +3,6 @@ package io.github.sofas.flow.paper;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
-import io.github.sofas.flow.SofasParameters;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -17,21 +16,21 @@ public final class TrackPlaneStack {
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
-    private SofasParameters p;
+    private Numbers p;
     private final List<TrackPlane> planes = new ArrayList<>();
     private final List<TrackPlane> unused = new ArrayList<>();
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
 
     /** Makes an empty stack that reports segments when they end. */
-    public TrackPlaneStack(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
+    public TrackPlaneStack(SensorSize sensor, Numbers p, Consumer<Segment> ended) {
         this.sensor = sensor;
         this.p = p;
         this.ended = ended;
     }
 
     /** The most bytes that the track planes' arrays take, all of them. */
-    public static long mostBytes(SensorSize sensor, SofasParameters p) {
+    public static long mostBytes(SensorSize sensor, Numbers p) {
         return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor, p);
     }
 
@@ -91,7 +90,7 @@ public final class TrackPlaneStack {
     }
 
     /** Tracks on with other parameters, as far as they leave velocity scale and accumulators as they are. */
-    public void setParameters(SofasParameters next) {
+    public void setParameters(Numbers next) {
         if (next.velocityScalePxPerS() != p.velocityScalePxPerS()
                 || side(sensor.width(), next) != side(sensor.width(), p)
                 || side(sensor.height(), next) != side(sensor.height(), p)) {
@@ -107,7 +106,7 @@ public final class TrackPlaneStack {
         unused.clear();
     }
 
-    private static int side(int sensorSide, SofasParameters p) {
+    private static int side(int sensorSide, Numbers p) {
         return TrackPlane.side(sensorSide, p);
     }
 

@@ -1,6 +1,5 @@
 package io.github.sofas.flow.paper;
 
-import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Projection;
 import java.util.Arrays;
 
@@ -44,7 +43,7 @@ final class Votes {
     /** What was read ahead; kept, or the compiler would leave the reading out. */
     private int fetched;
 
-    Votes(int width, int height, SofasParameters p) {
+    Votes(int width, int height, Numbers p) {
         n = p.flowProjections();
         velocity = new int[n];
         maskX = new int[n];

@@ -18,11 +18,13 @@ public final class BusyPixels {
     private static final int WAITING = 2048;
     private static final int COUNT_BITS = 10;
     private static final int COUNT_MASK = (1 << COUNT_BITS) - 1;
+    /** The most events of a pixel in an interval. */
+    static final int MOST = Math.min(COUNT_MASK,
+        (int) ((Short.MAX_VALUE - WAITING) / 2 / (8 + 3 * FlowPlane.TRAVEL_PX)));
 
     private final int columns;
     /** For each pixel the number of the interval that it fired in last, and how often it did, in the low bits. */
     private final int[] fired;
-    private final int most;
     private final long intervalUs;
     private long startUs;
     private int interval;
@@ -34,17 +36,11 @@ public final class BusyPixels {
     }
 
     /** Makes it for a sensor of so many px. */
-    public BusyPixels(int sensorWidth, int sensorHeight, SofasParameters p) {
+    public BusyPixels(int sensorWidth, int sensorHeight, SofasParameters.Search p) {
         columns = sensorWidth;
         fired = new int[sensorWidth * sensorHeight];
-        most = most(p);
         // events are let go a little later than the travel says, at most an eighth
-        intervalUs = (long) (1.125 * Math.min(p.lifespanUs(), p.flowTravelPx() / p.slowestPxPerS() * 1e6)) + 10_000;
-    }
-
-    /** The most events of a pixel in an interval. */
-    static int most(SofasParameters p) {
-        return Math.min(COUNT_MASK, (int) ((Short.MAX_VALUE - WAITING) / 2 / (8 + 3 * p.flowTravelPx())));
+        intervalUs = (long) (1.125 * Math.min(p.lifespanUs(), FlowPlane.TRAVEL_PX / p.slowestPxPerS() * 1e6)) + 10_000;
     }
 
     /** Whether the event's pixel has fired too often; such an event is not counted. */
@@ -60,7 +56,7 @@ public final class BusyPixels {
         if ((count & ~COUNT_MASK) != interval) {
             count = interval;
         }
-        if ((count & COUNT_MASK) == most) {
+        if ((count & COUNT_MASK) == MOST) {
             return true;
         }
         fired[i] = count + 1;

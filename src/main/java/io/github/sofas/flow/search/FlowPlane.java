@@ -19,6 +19,11 @@ public final class FlowPlane {
     private static final int SETTLING = 256;
     private static final long SETTLING_US = 2_000;
     private static final int BLOCK = VoteBlock.CAPACITY;
+    /**
+     * Travel after which an event leaves a projection: one lifespan for all speeds is too long for fast and too short
+     * for slow objects.
+     */
+    static final double TRAVEL_PX = 6;
     /** Events that its arrays have room for at most. */
     static final int MOST_HELD = 1 << 20;
     /** Part of a ring's window after which it takes its events in, where they are no block yet. */
@@ -78,10 +83,10 @@ public final class FlowPlane {
     private final VoteBlock block;
 
     /** Makes an empty plane for a sensor of so many px. */
-    public FlowPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
+    public FlowPlane(int sensorWidth, int sensorHeight, SofasParameters.Search p) {
         n = p.flowProjections();
-        columnBits = bits(sensorWidth, p);
-        rowBits = bits(sensorHeight, p);
+        columnBits = bits(sensorWidth);
+        rowBits = bits(sensorHeight);
         block = new VoteBlock(columnBits, rowBits);
         speed = new double[n];
         windowUs = new long[n];
@@ -97,7 +102,7 @@ public final class FlowPlane {
         double range = p.fastestPxPerS() / p.slowestPxPerS();
         for (int i = 0; i < n; i++) {
             speed[i] = p.slowestPxPerS() * StrictMath.pow(range, i / (n - 1.0));
-            windowUs[i] = (long) Math.min(p.lifespanUs(), p.flowTravelPx() / speed[i] * 1e6);
+            windowUs[i] = (long) Math.min(p.lifespanUs(), TRAVEL_PX / speed[i] * 1e6);
             tickBits[i] = Math.max(0, Math.getExponent(TICK_PX / speed[i] * 1e6));
             double pxPerTick = speed[i] * 1e-6 * (1L << tickBits[i]);
             for (int j = 0; j < n; j++) {
@@ -110,19 +115,19 @@ public final class FlowPlane {
     }
 
     /** The most bytes that its arrays take. */
-    static long mostBytes(SensorSize sensor, SofasParameters p) {
-        return cells(sensor, p) * p.flowProjections() * p.flowProjections() * Short.BYTES
+    static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
+        return cells(sensor) * p.flowProjections() * p.flowProjections() * Short.BYTES
             + (long) EVENT_BYTES * MOST_HELD;
     }
 
     /** Cells of an accumulator. */
-    static long cells(SensorSize sensor, SofasParameters p) {
-        return 1L << bits(sensor.width(), p) + bits(sensor.height(), p);
+    static long cells(SensorSize sensor) {
+        return 1L << bits(sensor.width()) + bits(sensor.height());
     }
 
     /** Cells along an axis, as a power of two. */
-    private static int bits(int sensorSide, SofasParameters p) {
-        int least = sensorSide / 2 + (int) p.flowTravelPx() / 2 + 3;
+    private static int bits(int sensorSide) {
+        int least = sensorSide / 2 + (int) TRAVEL_PX / 2 + 3;
         return Integer.SIZE - Integer.numberOfLeadingZeros(least - 1);
     }
 
@@ -350,7 +355,7 @@ public final class FlowPlane {
     }
 
     /** How many events ever came. */
-    long total() {
+    public long total() {
         return total;
     }
 

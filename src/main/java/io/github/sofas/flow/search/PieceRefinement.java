@@ -14,6 +14,10 @@ import io.github.sofas.flow.fit.MetricFit;
  */
 final class PieceRefinement {
     private static final int MOST_FITS = 8;
+    /** Events of a piece that are fitted. */
+    private static final int SAMPLE_EVENTS = 1000;
+    /** Share of the metric within which the slowest velocity is taken: an edge then gets its normal flow. */
+    private static final double SLOWEST_WITHIN = 0.03;
     /**
      * Shares of the evidence below which a piece is given up after the first fits: those of structures begin at 0.5,
      * and have 1 after the third.
@@ -23,7 +27,7 @@ final class PieceRefinement {
     private enum Stage { BEST, SLOWEST, OVER }
 
     private final MetricFit fit;
-    private SofasParameters p;
+    private SofasParameters.Search p;
     private Stage stage = Stage.OVER;
     private boolean structure;
     /** Events of the piece, of which a sample is fitted. */
@@ -38,13 +42,13 @@ final class PieceRefinement {
     private double bestY;
     private double bestMetric;
 
-    PieceRefinement(MetricFit fit, SofasParameters p) {
+    PieceRefinement(MetricFit fit, SofasParameters.Search p) {
         this.fit = fit;
         this.p = p;
     }
 
     /** Refines with other parameters from the next piece on. */
-    void setParameters(SofasParameters next) {
+    void setParameters(SofasParameters.Search next) {
         p = next;
     }
 
@@ -71,7 +75,7 @@ final class PieceRefinement {
 
     private void load(FlowPlane plane, int[] events, int from, long referenceUs) {
         fit.clear();
-        int want = Math.min(size, Math.min(fit.capacity(), p.sampleEvents()));
+        int want = Math.min(size, Math.min(fit.capacity(), SAMPLE_EVENTS));
         long stride = ((long) size << 16) / want;
         for (int a = 0; a < want; a++) {
             int e = events[from + (int) (a * stride >> 16)];
@@ -117,9 +121,9 @@ final class PieceRefinement {
             return;
         }
         if (fits == 0) {
-            fit.fit(vx, vy, p.flatSigmas());
+            fit.fit(vx, vy, MetricFit.FLAT_SIGMAS);
         } else {
-            fit.fitCross(vx, vy, p.flatSigmas());
+            fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
         }
         vx += fit.stepX();
         vy += fit.stepY();
@@ -129,15 +133,15 @@ final class PieceRefinement {
         } else if (fits == MOST_FITS || fits >= 3 && fit.steps() < 0.3) {
             arrive();
         } else {
-            fit.frame(fit.metric(), fit.lossXx(), fit.lossXy(), fit.lossYy(), p.neighbourLoss(), p.minStepPx() * px(),
-                p.maxStepPx() * px());
+            fit.frame(fit.metric(), fit.lossXx(), fit.lossXy(), fit.lossYy(), MetricFit.NEIGHBOUR_LOSS,
+                MetricFit.MIN_STEP_PX * px(), MetricFit.MAX_STEP_PX * px());
         }
     }
 
     private void arrive() {
         if (stage == Stage.SLOWEST) {
             stage = Stage.OVER;
-            if (fit.metric() < (1 - p.slowestWithin()) * bestMetric
+            if (fit.metric() < (1 - SLOWEST_WITHIN) * bestMetric
                     || vx * vx + vy * vy > bestX * bestX + bestY * bestY) {
                 vx = bestX;
                 vy = bestY;
@@ -165,7 +169,7 @@ final class PieceRefinement {
         // travel counts where it is seen: in the directions that would lose by standing still
         double loss = fit.lossXx() * vx * vx + 2 * fit.lossXy() * vx * vy + fit.lossYy() * vy * vy;
         double travelPx = Math.sqrt(Math.max(0, loss / fit.bestLoss())) * window;
-        return travelPx > 0.6 * p.flowTravelPx() && density() >= p.evidence();
+        return travelPx > 0.6 * FlowPlane.TRAVEL_PX && density() >= p.evidence();
     }
 
     /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */

@@ -47,7 +47,7 @@ public final class StructureSearch {
     private final PieceRefinement refinement;
     private final MetricFit fit;
     private final Structures structures;
-    private SofasParameters p;
+    private SofasParameters.Search p;
 
     private Stage stage = Stage.IDLE;
     private long nextLook;
@@ -69,12 +69,12 @@ public final class StructureSearch {
     private int rings;
 
     /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
-    public static long mostBytes(SensorSize sensor, SofasParameters p) {
-        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(FlowPlane.cells(sensor, p));
+    public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
+        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(FlowPlane.cells(sensor));
     }
 
     /** Makes a search in a flow plane, which hands what it finds to others. */
-    public StructureSearch(FlowPlane plane, SofasParameters p, MetricFit fit, Structures structures) {
+    public StructureSearch(FlowPlane plane, SofasParameters.Search p, MetricFit fit, Structures structures) {
         this.plane = plane;
         this.structures = structures;
         this.p = p;
@@ -86,7 +86,7 @@ public final class StructureSearch {
     }
 
     /** Looks on with other parameters that leave the flow plane as it is. */
-    public void setParameters(SofasParameters next) {
+    public void setParameters(SofasParameters.Search next) {
         p = next;
         refinement.setParameters(next);
     }

@@ -22,8 +22,9 @@ final class Contour {
     private static final int LEAST_SUPPORT = 4;
     /** Events are projected anew in steps of this part of a cell: far less than they jitter. */
     private static final double STEP_PX = 1.0 / 16;
+    /** Share of the mean support that puts an event on the contour: one cell wide, it would lose events to noise. */
+    private static final double SHARE = 0.15;
 
-    private double share;
     private final int width;
     private final int height;
     /** Live events a cell: ON in the low half, OFF in the high half. */
@@ -44,16 +45,10 @@ final class Contour {
     private double radius;
     private double polarity;
 
-    Contour(int sensorWidth, int sensorHeight, double contourShare) {
-        share = contourShare;
+    Contour(int sensorWidth, int sensorHeight) {
         width = sensorWidth + 2 * MARGIN;
         height = sensorHeight + 2 * MARGIN;
         grid = new int[width * height];
-    }
-
-    /** Takes another share of the mean support, from the next {@link #project} on. */
-    void setShare(double contourShare) {
-        share = contourShare;
     }
 
     /** The motion that events are projected along until the next {@link #project}. */
@@ -296,7 +291,7 @@ final class Contour {
             polarity = 0;
             return;
         }
-        threshold = Math.max(LEAST_SUPPORT, (int) (share * support / n));
+        threshold = Math.max(LEAST_SUPPORT, (int) (SHARE * support / n));
         polarity = (double) signs / n;
         centreX = sumX / n;
         centreY = sumY / n;

@@ -43,8 +43,30 @@ public final class TrackPlane {
     private static final int LEAST_HIDDEN = 200;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
     private static final double STEP_PX = 1.0 / 64;
+    /** Longest lifetime: what stands still would keep its events for ever. */
+    private static final long MAX_LIFETIME_US = 1_000_000;
+    /** Longest time for which the contour is remembered: what stands still would haunt its place. */
+    private static final long MAX_MEMORY_US = 2_000_000;
+    /** Events that a velocity is measured from where they meet often: 1,000 reach half a percent. */
+    private static final int SAMPLE_EVENTS = 1000;
+    /** Metric an event below which a sample is enlarged: thinning events thins their meetings by the square. */
+    private static final double SAMPLE_DENSITY = 1.5;
+    /** Correction over half the window below which a velocity is steady. */
+    private static final double STEADY_PX = 0.15;
+    /** Shift at the end of the window by an acceleration above which the lifetime shrinks: it soon ends. */
+    private static final double MAX_BEND_PX = 0.25;
+    /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
+    private static final double MAX_SHARED = 0.15;
+    /** Share of the metric a px that a weakly known direction must lose to follow at half the step. */
+    private static final double STIFFNESS = 0.002;
+    /** Share of the velocity along a straight edge that is dropped at each measurement: it would drift. */
+    private static final double FLAT_DECAY = 0.05;
+    /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
+    private static final double MERGE_LOSS = 0.02;
+    /** Gap between boxes that may merge, as a share of the shorter of their longer sides. */
+    private static final double MERGE_GAP_SHARE = 0.8;
 
-    private SofasParameters p;
+    private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final Motion motion = new Motion();
@@ -72,9 +94,9 @@ public final class TrackPlane {
     private double density;
     private double widen;
 
-    TrackPlane(int sensorWidth, int sensorHeight, SofasParameters p) {
+    TrackPlane(int sensorWidth, int sensorHeight, SofasParameters.Track p) {
         this.p = p;
-        contour = new Contour(sensorWidth, sensorHeight, p.contourShare());
+        contour = new Contour(sensorWidth, sensorHeight);
         shape = new Shape(sensorWidth, sensorHeight);
     }
 
@@ -195,7 +217,7 @@ public final class TrackPlane {
     private long lifetime() {
         double speed = motion.speed(contour.radius());
         double gained = StrictMath.hypot(motion.ax, motion.ay) * lifetimePx / 2;
-        return (long) Math.min(p.maxLifetimeUs(),
+        return (long) Math.min(MAX_LIFETIME_US,
             lifetimePx / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
     }
 
@@ -284,7 +306,7 @@ public final class TrackPlane {
 
     /** Time in which the structure travels the pixels that it remembers its contour for. */
     private long memoryUs() {
-        return (long) Math.min(p.maxMemoryUs(), p.memoryPx() / Math.max(motion.speed(contour.radius()), 1e-3) * 1e6);
+        return (long) Math.min(MAX_MEMORY_US, p.memoryPx() / Math.max(motion.speed(contour.radius()), 1e-3) * 1e6);
     }
 
     /**
@@ -293,8 +315,8 @@ public final class TrackPlane {
      */
     private int sample() {
         int n = live.size();
-        int least = Math.max(p.sampleEvents(), live.size() / SAMPLE_PART);
-        return n <= least ? n : (int) Math.max(least, Math.min(n, n * p.sampleDensity() / Math.max(density, 1e-3)));
+        int least = Math.max(SAMPLE_EVENTS, live.size() / SAMPLE_PART);
+        return n <= least ? n : (int) Math.max(least, Math.min(n, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
     }
 
     /** Projects a sample of the live events to the motion's reference; returns how many of it were shared. */
@@ -328,37 +350,37 @@ public final class TrackPlane {
         if (measurements == 0) {
             fit.frame(px);
         } else {
-            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, p.neighbourLoss(), p.minStepPx() * px,
-                p.maxStepPx() * px);
+            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.NEIGHBOUR_LOSS, MetricFit.MIN_STEP_PX * px,
+                MetricFit.MAX_STEP_PX * px);
             fit.widen(widen);
         }
         if (measurements < LEAST_FULL || measurements % FULL_EVERY == 0) {
-            fit.fit(0, 0, p.flatSigmas());
+            fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
         } else {
-            fit.fitCross(0, 0, p.flatSigmas());
+            fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
         }
         // in a thinned sample events meet by so much less
         density = fit.metric() / fit.size() * live.size() / fit.size();
         loss.take(fit);
         widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(fit, px, crossing) / px;
-        if (crossing > p.maxShared()) {
+        if (crossing > MAX_SHARED) {
             change.hold(motion);
         } else if (measurements >= 2 && moved < 1) {
             change.measure(fit, motion, loss, half, contour.radius(), p);
             double bend = change.bendPx(half);
-            if (bend > p.maxBendPx()) {
+            if (bend > MAX_BEND_PX) {
                 lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
-            } else if (moved < p.steadyPx() && bend < 0.7 * p.maxBendPx()) {
+            } else if (moved < STEADY_PX && bend < 0.7 * MAX_BEND_PX) {
                 lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
             }
         }
-        if (moved > 3 * p.steadyPx()) {
+        if (moved > 3 * STEADY_PX) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
         }
         double radius = contour.radius();
         // as well known as turning would be that shows a little, so that not everything may be one body
-        loss.turn = change.turnLoss() + p.flatChange() * loss.best() * radius * radius;
+        loss.turn = change.turnLoss() + MotionChange.FLAT_CHANGE * loss.best() * radius * radius;
         measurements++;
     }
 
@@ -372,7 +394,7 @@ public final class TrackPlane {
         double stepX = fit.stepX();
         double stepY = fit.stepY();
         if (measurements > 0) {
-            double stiff = p.stiffness() * (1 + 10 * crossing) * loss.metric / (px * px);
+            double stiff = STIFFNESS * (1 + 10 * crossing) * loss.metric / (px * px);
             double xx = loss.xx + stiff;
             double yy = loss.yy + stiff;
             double det = xx * yy - loss.xy * loss.xy;
@@ -384,7 +406,7 @@ public final class TrackPlane {
         motion.vx += stepX;
         motion.vy += stepY;
         if (fit.isFlat()) {
-            double along = (motion.vy * loss.axisX - motion.vx * loss.axisY) * p.flatDecay();
+            double along = (motion.vy * loss.axisX - motion.vx * loss.axisY) * FLAT_DECAY;
             motion.vx += along * loss.axisY;
             motion.vy -= along * loss.axisX;
         }
@@ -401,19 +423,19 @@ public final class TrackPlane {
         if (live.size() + other.live.size() == 0) {
             return false;
         }
-        double gap = Math.max(4, p.mergeGapShare() * Math.min(contour.extent(), other.contour.extent()));
+        double gap = Math.max(4, MERGE_GAP_SHARE * Math.min(contour.extent(), other.contour.extent()));
         return isNear(other, nowUs, gap)
             && (sharesVelocity(other, common, nowUs) || sharesMotion(other, common, nowUs));
     }
 
     private boolean sharesVelocity(TrackPlane other, CommonMotion common, long nowUs) {
-        return common.fitVelocity(motion, loss, other.motion, other.loss, nowUs) && common.lost() < p.mergeLoss();
+        return common.fitVelocity(motion, loss, other.motion, other.loss, nowUs) && common.lost() < MERGE_LOSS;
     }
 
     /** Of a new structure it is not known yet whether it turns. */
     private boolean sharesMotion(TrackPlane other, CommonMotion common, long nowUs) {
         return measurements > LEAST_FULL && other.measurements > LEAST_FULL
-            && common.fit(motion, loss, other.motion, other.loss, nowUs) && common.lost() < p.mergeLoss();
+            && common.fit(motion, loss, other.motion, other.loss, nowUs) && common.lost() < MERGE_LOSS;
     }
 
     MotionLoss loss() {
@@ -454,9 +476,8 @@ public final class TrackPlane {
     }
 
     /** Tracks on with other parameters. */
-    void setParameters(SofasParameters next) {
+    void setParameters(SofasParameters.Track next) {
         p = next;
-        contour.setShare(p.contourShare());
         lifetimePx = Math.max(p.lifetimePx(), Math.min(p.maxLifetimePx(), lifetimePx));
     }
 

@@ -23,12 +23,14 @@ public final class TrackPlaneStack {
     public static final int MOST_MEASURED = LiveEvents.CAPACITY;
 
     private static final long CHECK_US = 5_000;
+    /** Support of the second best plane, as a share of the best, that hides the velocity: crossing objects pull. */
+    private static final double SHARED_SCORE = 0.5;
     /** Support below this many thresholds is weak. */
     private static final int WEAK = 4;
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
-    private SofasParameters p;
+    private SofasParameters.Track p;
     private MetricFit fit;
     /** Votes of the fit that were asked for. */
     private long counted;
@@ -44,7 +46,7 @@ public final class TrackPlaneStack {
     private boolean remembered;
 
     /** Makes an empty stack that reports segments when they end. */
-    public TrackPlaneStack(SensorSize sensor, SofasParameters p, MetricFit fit, Consumer<Segment> ended) {
+    public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, Consumer<Segment> ended) {
         this.sensor = sensor;
         this.p = p;
         this.fit = fit;
@@ -53,7 +55,7 @@ public final class TrackPlaneStack {
     }
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
-    public static long mostBytes(SensorSize sensor, SofasParameters p) {
+    public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more ring, for merging
         return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES;
     }
@@ -82,7 +84,7 @@ public final class TrackPlaneStack {
             shared = false;
             return remembering(x, y, timeUs);
         }
-        shared = secondRate > p.sharedScore() * bestRate
+        shared = secondRate > SHARED_SCORE * bestRate
             || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
         return best;
     }
@@ -197,7 +199,7 @@ public final class TrackPlaneStack {
     }
 
     /** Tracks on with other parameters; where fewer planes are allowed, the last ones end. */
-    public void setParameters(SofasParameters next) {
+    public void setParameters(SofasParameters.Track next) {
         p = next;
         while (size > p.maxTrackPlanes()) {
             end(size - 1, Segment.Fate.REMOVED, 0);

@@ -22,7 +22,7 @@ public class MotionChangeTest {
         MotionChange change = new MotionChange();
         change.restart();
         MotionLoss loss = new MotionLoss();
-        MetricFit fit = new MetricFit(128, 96, DEFAULTS.voteCellPx(), 4096, 1900);
+        MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, 4096, 1900);
         for (int repeat = 0; repeat < 8; repeat++) {
             Random random = new Random(5);
             fit.clear();
@@ -40,9 +40,9 @@ public class MotionChangeTest {
                 }
             }
             fit.frame(1 / HALF_S);
-            fit.fit(0, 0, DEFAULTS.flatSigmas());
+            fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
             loss.take(fit);
-            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, DEFAULTS);
+            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, DEFAULTS.track());
         }
         return motion;
     }

@@ -21,8 +21,9 @@ public class AgreesWithPlainTest {
     private static final SensorSize TINY = new SensorSize(32, 24);
     private static final SensorSize SMALL = new SensorSize(128, 128);
     /** Few enough events for the plain planes, whose time grows with the square of the window. */
-    private static final SofasParameters SHORT = SofasParameters.paper().withConstantEvents(40).withMinEvents(12)
-        .withLifespanUs(100_000);
+    private static final SofasParameters PRESET = SofasParameters.paper().with("constantEvents", 40)
+        .with("minEvents", 12).with("lifespanUs", 100_000);
+    private static final Numbers SHORT = Numbers.of(PRESET);
 
     private static List<List<Event>> streams() {
         List<List<Event>> all = new ArrayList<>();
@@ -38,7 +39,7 @@ public class AgreesWithPlainTest {
 
     @Test
     public void everyMetricIsTheSumOfSquaresAfterEveryEvent() {
-        SofasParameters p = SHORT.withFlowProjections(5);
+        Numbers p = Changed.of(SHORT, "flowProjections", 5);
         for (List<Event> events : streams()) {
             FlowPlane fast = new FlowPlane(TINY.width(), TINY.height(), p);
             PlainFlowPlane plain = new PlainFlowPlane(p);
@@ -60,7 +61,7 @@ public class AgreesWithPlainTest {
         assertTrue("found " + found, found >= 2);
     }
 
-    private static boolean addAndCompare(FlowPlane fast, PlainFlowPlane plain, Event e, SofasParameters p,
+    private static boolean addAndCompare(FlowPlane fast, PlainFlowPlane plain, Event e, Numbers p,
                                          String at) {
         boolean found = plain.add(e);
         assertEquals(at, found, fast.add(e.x(), e.y(), e.timeUs(), e.polarity()));
@@ -84,7 +85,8 @@ public class AgreesWithPlainTest {
     public void eventsThatWaitForOthersFindTheSameStructures() {
         // nobody asks for a metric between two structures, so that events wait for as long as they may
         int found = 0;
-        for (SofasParameters p : List.of(SHORT, SHORT.withFlowProjections(4), SHORT.withConstantEvents(3))) {
+        for (Numbers p : List.of(SHORT, Changed.of(SHORT, "flowProjections", 4),
+                Changed.of(SHORT, "constantEvents", 3))) {
             for (List<Event> events : streams()) {
                 FlowPlane fast = new FlowPlane(TINY.width(), TINY.height(), p);
                 PlainFlowPlane plain = new PlainFlowPlane(p);
@@ -118,7 +120,7 @@ public class AgreesWithPlainTest {
     @Test
     public void greatestProjectionIsTheSameAfterEveryEvent() {
         // A projection is read out at every event, and no structure is ever large enough to be taken out.
-        SofasParameters p = SHORT.withFlowProjections(7).withConstantEvents(1).withCycles(1).withMinEvents(100_000);
+        Numbers p = Changed.of(SHORT, "flowProjections", 7, "constantEvents", 1, "cycles", 1, "minEvents", 100_000);
         for (List<Event> events : streams()) {
             FlowPlane fast = new FlowPlane(TINY.width(), TINY.height(), p);
             PlainFlowPlane plain = new PlainFlowPlane(p);
@@ -133,17 +135,17 @@ public class AgreesWithPlainTest {
 
     @Test
     public void trackPlaneDecidesTheSameForEveryEvent() {
-        SofasParameters p = SHORT.withFlowProjections(5);
+        Numbers p = Changed.of(SHORT, "flowProjections", 5);
         int tracked = 0;
         for (List<Event> events : streams()) {
             tracked += trackAndCompare(events, TINY, p);
-            tracked += trackAndCompare(events, TINY, p.withHitShare(0.6).withContourThreshold(1));
+            tracked += trackAndCompare(events, TINY, Changed.of(p, "hitShare", 0.6, "contourThreshold", 1));
         }
         assertTrue("belonging events " + tracked, tracked > 1500);
     }
 
     /** Tracks the first structure of a stream through the rest of it. */
-    private static int trackAndCompare(List<Event> events, SensorSize sensor, SofasParameters p) {
+    private static int trackAndCompare(List<Event> events, SensorSize sensor, Numbers p) {
         FlowPlane flowPlane = new FlowPlane(sensor.width(), sensor.height(), p);
         TrackPlane fast = new TrackPlane(sensor.width(), sensor.height(), p);
         PlainTrackPlane plain = null;
@@ -185,18 +187,18 @@ public class AgreesWithPlainTest {
 
     @Test
     public void everyEventGetsTheSameSegmentAndVelocity() {
-        SofasParameters p = SHORT.withFlowProjections(5);
+        SofasParameters p = PRESET.with("flowProjections", 5);
         int labelled = 0;
         for (List<Event> events : streams()) {
             labelled += labelAndCompare(events, TINY, p);
-            labelled += labelAndCompare(events, TINY, p.withMaxTrackPlanes(2).withMinShare(0.6).withMergeVelocity(0.6));
+            labelled += labelAndCompare(events, TINY, p.with("maxTrackPlanes", 2).with("minShare", 0.6));
         }
         assertTrue("labelled " + labelled, labelled > 4000);
     }
 
     @Test
     public void everyEventGetsTheSameSegmentAndVelocityInThePresetItself() {
-        SofasParameters p = SofasParameters.paper().withConstantEvents(100);
+        SofasParameters p = SofasParameters.paper().with("constantEvents", 100);
         List<Event> film = Streams.filmed(Scene.TWO_OPPOSITE, SMALL, 0.35, 20, 2500);
         int labelled = labelAndCompare(film, SMALL, p);
         assertTrue("labelled " + labelled, labelled > 1000);
@@ -205,7 +207,7 @@ public class AgreesWithPlainTest {
     private static int labelAndCompare(List<Event> events, SensorSize sensor, SofasParameters p) {
         List<Segment> ended = new ArrayList<>();
         Sofas fast = new Sofas(sensor, p, ended::add);
-        PlainMethod plain = new PlainMethod(p);
+        PlainMethod plain = new PlainMethod(Numbers.of(p));
         EventBatch one = new EventBatch(1);
         FlowOutput output = new FlowOutput(1);
         int labelled = 0;

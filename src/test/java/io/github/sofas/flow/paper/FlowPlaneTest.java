@@ -15,7 +15,7 @@ import org.junit.Test;
  * stands still, 5 is 36.4 px/s to the right or down, 6 is 83.9 px/s, 7 is 173.2 px/s, 8 is 567.1 px/s.
  */
 public class FlowPlaneTest {
-    private static final SofasParameters P = SofasParameters.paper();
+    private static final Numbers P = Numbers.of(SofasParameters.paper());
 
     @Test
     public void voteRaisesTheMetricByTwiceTheCellAndOne() {
@@ -37,7 +37,7 @@ public class FlowPlaneTest {
     @Test
     public void eventsOlderThanTheLifespanAreFlushedAndTheMetricFallsBack() {
         // three events on one cell, 9; at 100,000 us another cell, 10; at 200,000 all live; at 200,001 the three leave
-        FlowPlane plane = new FlowPlane(40, 30, P.withLifespanUs(200_000));
+        FlowPlane plane = new FlowPlane(40, 30, Changed.of(P, "lifespanUs", 200_000));
         for (int i = 0; i < 3; i++) {
             plane.add(7, 7, 0, 1);
         }
@@ -53,7 +53,7 @@ public class FlowPlaneTest {
     @Test
     public void oldestEventsGoEarlyWhereMoreComeThanACellCanCount() {
         // 40,000 events on one cell in 40 ms: the newest 32,767 are held, and their metric is their square
-        FlowPlane plane = new FlowPlane(40, 30, P.withFlowProjections(3).withConstantEvents(100_000));
+        FlowPlane plane = new FlowPlane(40, 30, Changed.of(P, "flowProjections", 3, "constantEvents", 100_000));
         for (int i = 0; i < 40_000; i++) {
             plane.add(7, 7, i, 1);
         }
@@ -89,7 +89,7 @@ public class FlowPlaneTest {
     }
 
     private static void assertAngles(double angleX, double angleY, List<Event> edge) {
-        SofasParameters p = P.withCycles(1).withConstantEvents(edge.size() / 3).withMinEvents(8);
+        Numbers p = Changed.of(P, "cycles", 1, "constantEvents", edge.size() / 3, "minEvents", 8);
         FlowPlane plane = new FlowPlane(40, 30, p);
         // one event more on one cell, so that there is a cell above the mean
         boolean found = plane.add(edge.get(0).x(), edge.get(0).y(), edge.get(0).timeUs(), edge.get(0).polarity());
@@ -105,7 +105,7 @@ public class FlowPlaneTest {
     public void tiesGoToTheSlowest() {
         // events of one moment look alike from everywhere; then two events that meet at (5, 4) and nowhere slower, but
         // also at faster ones
-        SofasParameters p = P.withCycles(1).withConstantEvents(1).withMinEvents(100_000);
+        Numbers p = Changed.of(P, "cycles", 1, "constantEvents", 1, "minEvents", 100_000);
         FlowPlane plane = new FlowPlane(40, 30, p);
         for (int k = 0; k < 5; k++) {
             plane.add(5 + k, 9, 0, 1);
@@ -126,7 +126,7 @@ public class FlowPlaneTest {
     public void structureIsFoundWhenTheGreatestStaysForTheGivenEvents() {
         // nine events on one cell and eleven beside it; the greatest is (4, 4) from the first: the twentieth event ends
         // the wait
-        SofasParameters p = P.withCycles(1).withConstantEvents(20).withMinEvents(8).withThresholdSd(0);
+        Numbers p = Changed.of(P, "cycles", 1, "constantEvents", 20, "minEvents", 8, "thresholdSd", 0);
         FlowPlane plane = new FlowPlane(40, 30, p);
         for (int k = 0; k < 9; k++) {
             assertFalse(plane.add(5, 9, 0, 1));
@@ -140,7 +140,7 @@ public class FlowPlaneTest {
 
     @Test
     public void structureOfTooFewEventsIsLeftInThePlane() {
-        SofasParameters p = P.withCycles(1).withConstantEvents(20).withMinEvents(21).withThresholdSd(0);
+        Numbers p = Changed.of(P, "cycles", 1, "constantEvents", 20, "minEvents", 21, "thresholdSd", 0);
         FlowPlane plane = new FlowPlane(40, 30, p);
         for (int k = 0; k < 20; k++) {
             assertFalse(plane.add(k < 9 ? 5 : 6, 9, 0, 1));
@@ -156,7 +156,7 @@ public class FlowPlaneTest {
     @Test
     public void restIsProjectedAgainAfterTheRelease() {
         // a lone event far off stays; the plane is seen from its time on
-        SofasParameters p = P.withCycles(1).withConstantEvents(21).withMinEvents(8).withThresholdSd(0);
+        Numbers p = Changed.of(P, "cycles", 1, "constantEvents", 21, "minEvents", 8, "thresholdSd", 0);
         FlowPlane plane = new FlowPlane(40, 30, p);
         plane.add(30, 20, 0, 1);
         for (int k = 0; k < 20; k++) {

@@ -4,7 +4,6 @@ import io.github.sofas.flow.PlainPlane.Cell;
 import io.github.sofas.flow.PlainPlane.Event;
 import io.github.sofas.flow.PlainPlane.Plane;
 import io.github.sofas.flow.PlainPlane;
-import io.github.sofas.flow.SofasParameters;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -18,7 +17,7 @@ import java.util.Set;
  * {@link FlowPlane} and {@link Refinement} must agree with it exactly.
  */
 final class PlainFlowPlane {
-    private final SofasParameters p;
+    private final Numbers p;
     private final int n;
 
     List<Event> events = new ArrayList<>();
@@ -32,7 +31,7 @@ final class PlainFlowPlane {
     double angleX;
     double angleY;
 
-    PlainFlowPlane(SofasParameters p) {
+    PlainFlowPlane(Numbers p) {
         this.p = p;
         n = p.flowProjections();
     }
@@ -69,7 +68,8 @@ final class PlainFlowPlane {
     }
 
     private Plane plane(double ax, double ay, long reference) {
-        return new Plane(PlainPlane.velocity(p, ax), PlainPlane.velocity(p, ay), reference);
+        double scale = p.velocityScalePxPerS();
+        return new Plane(PlainPlane.velocity(scale, ax), PlainPlane.velocity(scale, ay), reference);
     }
 
     long metric(int i, int j) {

@@ -2,13 +2,12 @@ package io.github.sofas.flow.paper;
 
 import io.github.sofas.flow.PlainPlane.Event;
 import io.github.sofas.flow.Segment;
-import io.github.sofas.flow.SofasParameters;
 import java.util.ArrayList;
 import java.util.List;
 
 /** The paper's stack of track planes over its flow plane, of the plain planes; {@link PaperMethod} must agree. */
 final class PlainMethod {
-    private final SofasParameters p;
+    private final Numbers p;
     private final PlainFlowPlane flowPlane;
     final List<PlainTrackPlane> stack = new ArrayList<>();
     final List<Segment> ended = new ArrayList<>();
@@ -16,7 +15,7 @@ final class PlainMethod {
     private boolean checkedOnce;
     private long checkedUs;
 
-    PlainMethod(SofasParameters p) {
+    PlainMethod(Numbers p) {
         this.p = p;
         flowPlane = new PlainFlowPlane(p);
     }

@@ -5,7 +5,6 @@ import io.github.sofas.flow.PlainPlane.Event;
 import io.github.sofas.flow.PlainPlane.Plane;
 import io.github.sofas.flow.PlainPlane;
 import io.github.sofas.flow.Segment;
-import io.github.sofas.flow.SofasParameters;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -20,7 +19,7 @@ import java.util.Set;
  * {@link TrackPlane} must agree with it exactly.
  */
 final class PlainTrackPlane {
-    private final SofasParameters p;
+    private final Numbers p;
     final int id;
     final long firstUs;
     List<Event> live;
@@ -44,7 +43,7 @@ final class PlainTrackPlane {
     int maxY;
     int recentrings;
 
-    PlainTrackPlane(SofasParameters p, int id, List<Event> structure, double angleX, double angleY) {
+    PlainTrackPlane(Numbers p, int id, List<Event> structure, double angleX, double angleY) {
         this.p = p;
         this.id = id;
         live = new ArrayList<>(structure);
@@ -61,7 +60,8 @@ final class PlainTrackPlane {
     private Plane projection(int k) {
         double ax = PlainPlane.limited(angleX + (k % 3 - 1) * h);
         double ay = PlainPlane.limited(angleY + (k / 3 - 1) * h);
-        return new Plane(PlainPlane.velocity(p, ax), PlainPlane.velocity(p, ay), referenceUs);
+        double scale = p.velocityScalePxPerS();
+        return new Plane(PlainPlane.velocity(scale, ax), PlainPlane.velocity(scale, ay), referenceUs);
     }
 
     private Set<Cell> occupied(int k) {
@@ -140,8 +140,8 @@ final class PlainTrackPlane {
     private void centre(double newX, double newY) {
         angleX = PlainPlane.limited(newX);
         angleY = PlainPlane.limited(newY);
-        vxPxPerS = PlainPlane.velocity(p, angleX);
-        vyPxPerS = PlainPlane.velocity(p, angleY);
+        vxPxPerS = PlainPlane.velocity(p.velocityScalePxPerS(), angleX);
+        vyPxPerS = PlainPlane.velocity(p.velocityScalePxPerS(), angleY);
         double speed = Math.max(Math.hypot(vxPxPerS, vyPxPerS), 1e-6);
         lifetimeUs = (long) Math.min(p.maxLifetimeUs(), p.lifetimePx() / speed * 1e6);
         referenceUs = newestUs;

@@ -11,9 +11,9 @@ import org.junit.Test;
 
 /** Association and refining cycles worked out by hand; velocityScale 100 px/s at 45 degrees. */
 public class RefinementTest {
-    private static final SofasParameters P = SofasParameters.paper();
+    private static final Numbers P = Numbers.of(SofasParameters.paper());
 
-    private static Refinement refined(SofasParameters p, List<Event> events, int i, int j) {
+    private static Refinement refined(Numbers p, List<Event> events, int i, int j) {
         Refinement structure = new Refinement(p);
         int n = events.size();
         long[] time = new long[n];
@@ -70,7 +70,7 @@ public class RefinementTest {
         // |f| of the 8 occupied cells: 5 1 1 1, 4, 1 1 1 (OFF counts by its amount). Sum 15, mean 1.875; squares
         // 25 + 16 + 6 = 47, 47/8 - 3.5156 = 2.3594, sd 1.536. w = 1: 3.41: the 5 and the 4 select. The corner and the
         // side join the 5; a gap of one column does not.
-        Refinement structure = refined(P.withCycles(1).withThresholdSd(1), picture(
+        Refinement structure = refined(Changed.of(P, "cycles", 1, "thresholdSd", 1), picture(
             "51..1.",
             "..1...",
             "...1..",
@@ -89,10 +89,10 @@ public class RefinementTest {
     @Test
     public void cellThatIsJustAsGreatAsTheThresholdSelectsNothing() {
         // all alike: mean 2, sd 0; no cell is above
-        assertEquals(0, refined(P.withCycles(1), picture("2.2.2"), 4, 4).size());
+        assertEquals(0, refined(Changed.of(P, "cycles", 1), picture("2.2.2"), 4, 4).size());
         // w = 1 of the cells 1 and 3: mean 2, sd 1: 3 is not above 3; with w = 0.99 it is
-        assertEquals(0, refined(P.withCycles(1).withThresholdSd(1), picture("1..3"), 4, 4).size());
-        assertEquals(3, refined(P.withCycles(1).withThresholdSd(0.99), picture("1..3"), 4, 4).size());
+        assertEquals(0, refined(Changed.of(P, "cycles", 1, "thresholdSd", 1), picture("1..3"), 4, 4).size());
+        assertEquals(3, refined(Changed.of(P, "cycles", 1, "thresholdSd", 0.99), picture("1..3"), 4, 4).size());
     }
 
     @Test
@@ -100,7 +100,8 @@ public class RefinementTest {
         // ON and OFF on (1, 0): f = 0, so that (2, 0) is not connected to the 3, which is above the mean of 3 and 1
         List<Event> events = new ArrayList<>(picture("311"));
         events.add(new Event(1, 0, 0, -1));
-        assertEquals(List.of("3.."), associated(refined(P.withCycles(1).withThresholdSd(0), events, 4, 4), 3, 1));
+        Refinement structure = refined(Changed.of(P, "cycles", 1, "thresholdSd", 0), events, 4, 4);
+        assertEquals(List.of("3.."), associated(structure, 3, 1));
     }
 
     @Test
@@ -114,7 +115,7 @@ public class RefinementTest {
             }
         }
         events.add(new Event(11, 0, Math.round(11 / 44.5e-6), 1));
-        Refinement twice = refined(P.withCycles(2).withLifespanUs(500_000), events, 5, 4);
+        Refinement twice = refined(Changed.of(P, "cycles", 2, "lifespanUs", 500_000), events, 5, 4);
         assertEquals(20 + 2 * 20.0 / 9, twice.angleX(), 1e-9);
         assertEquals(0, twice.angleY(), 0);
         assertEquals(145, twice.size());
@@ -124,7 +125,7 @@ public class RefinementTest {
     public void refinementTiesGoToTheSlowest() {
         // events of one moment: every projection has the same metric, and the slowest of 20 + 2.222 i degrees in x
         // and 0 + 2.222 j in y is 11.11 and 0
-        Refinement structure = refined(P.withCycles(2), picture("3111"), 5, 4);
+        Refinement structure = refined(Changed.of(P, "cycles", 2), picture("3111"), 5, 4);
         assertEquals(20 - 4 * 20.0 / 9, structure.angleX(), 1e-9);
         assertEquals(0, structure.angleY(), 0);
     }
@@ -141,7 +142,7 @@ public class RefinementTest {
             }
         }
         events.add(new Event(16, 5, 19 * 1176L, 1));
-        Refinement structure = refined(P.withFlowProjections(31).withCycles(2), events, 30, 15);
+        Refinement structure = refined(Changed.of(P, "flowProjections", 31, "cycles", 2), events, 30, 15);
         assertTrue("angle " + structure.angleX(), structure.angleX() > 70 && structure.angleX() <= 89);
     }
 
@@ -153,8 +154,8 @@ public class RefinementTest {
             events.add(new Event(5, 5, i * 100_000L, 1));
         }
         events.add(new Event(30, 20, 9_900_000, 1));
-        SofasParameters p = P.withLifespanUs(60_000_000).withCycles(1).withThresholdSd(0);
-        assertEquals(0, refined(p.withRangeDeg(180).withFlowProjections(31), events, 30, 30).size());
-        assertEquals(100, refined(p.withFlowProjections(9), events, 4, 4).size());
+        Numbers p = Changed.of(P, "lifespanUs", 60_000_000, "cycles", 1, "thresholdSd", 0);
+        assertEquals(0, refined(Changed.of(p, "rangeDeg", 180, "flowProjections", 31), events, 30, 30).size());
+        assertEquals(100, refined(Changed.of(p, "flowProjections", 9), events, 4, 4).size());
     }
 }

@@ -16,12 +16,12 @@ import org.junit.Test;
  */
 public class TrackPlaneTest {
     /** One cycle of 3 x 3 projections over 6 degrees: h starts at 2 degrees, 3.49 px/s. */
-    private static final SofasParameters P = SofasParameters.paper().withFlowProjections(3).withRangeDeg(6)
-        .withCycles(1).withThresholdSd(0).withHitShare(1).withContourThreshold(2);
+    private static final Numbers P = Changed.of(Numbers.of(SofasParameters.paper()), "flowProjections", 3,
+        "rangeDeg", 6, "cycles", 1, "thresholdSd", 0, "hitShare", 1, "contourThreshold", 2);
     private static final long SECOND = 1_000_000;
 
     /** A plane of 40 x 30 whose structure is a row of still dots on (10..9+n, 5), the first of them twice. */
-    private static TrackPlane stillRow(SofasParameters p, int n) {
+    private static TrackPlane stillRow(Numbers p, int n) {
         List<Event> events = new ArrayList<>();
         events.add(new Event(10, 5, 0, 1));
         for (int i = 0; i < n; i++) {
@@ -31,7 +31,7 @@ public class TrackPlaneTest {
     }
 
     /** A plane of 40 x 30 of the events that projection (i, j) of the flow plane associates. */
-    private static TrackPlane started(SofasParameters p, List<Event> events, int i, int j) {
+    private static TrackPlane started(Numbers p, List<Event> events, int i, int j) {
         Refinement structure = new Refinement(p);
         int n = events.size();
         long[] time = new long[n];
@@ -114,7 +114,7 @@ public class TrackPlaneTest {
     public void centreThatIsBestHalvesTheDistance() {
         // Share 0.5 of 8 cells is passed by the fifth hit. At time 0 all projections are hit alike: the centre is best.
         // h goes from 2 to 1 degree: one second later the neighbour has moved round(100 tan 1 * 1) = 2 px, not 3.
-        TrackPlane plane = stillRow(P.withHitShare(0.5).withMinPerturbationDeg(0.3), 8);
+        TrackPlane plane = stillRow(Changed.of(P, "hitShare", 0.5, "minPerturbationDeg", 0.3), 8);
         for (int i = 0; i < 5; i++) {
             assertEquals("before hit " + i, 2, distance(plane), 0);
             assertTrue(plane.offer(10 + i, 5, 0));
@@ -137,7 +137,7 @@ public class TrackPlaneTest {
     }
 
     /** Ten dots two columns apart, of two events each, and a lone one below the first: a plane that stands still. */
-    private static TrackPlane spacedDots(SofasParameters p) {
+    private static TrackPlane spacedDots(Numbers p) {
         // threshold: the mean of ten cells of 2 and one of 1, so that each dot is associated though none are connected
         List<Event> events = new ArrayList<>();
         for (int i = 0; i < 10; i++) {
@@ -154,7 +154,7 @@ public class TrackPlaneTest {
         // Dots that moved 1 px right are hit by the right-hand projection of the middle row only: (11 + 2i) - 1.
         // The one to the left sees (11 + 2i) + 1 = 12 + 2i, a dot for all but the last: so it is hit as well, one dot
         // less. Share 0.8 of 11 cells = 8.8 is passed by the ninth hit. With the last dot first, right is ahead.
-        TrackPlane plane = spacedDots(P.withHitShare(0.8));
+        TrackPlane plane = spacedDots(Changed.of(P, "hitShare", 0.8));
         assertEquals(11, plane.cells(1, 1));
         for (int i = 9; i > 1; i--) {
             assertFalse(plane.offer(11 + 2 * i, 5, 400_000));
@@ -168,7 +168,7 @@ public class TrackPlaneTest {
 
     @Test
     public void distanceStopsDoublingAtItsGreatest() {
-        TrackPlane plane = spacedDots(P.withHitShare(0.8).withMaxPerturbationDeg(3));
+        TrackPlane plane = spacedDots(Changed.of(P, "hitShare", 0.8, "maxPerturbationDeg", 3));
         for (int i = 9; i >= 1; i--) {
             assertFalse(plane.offer(11 + 2 * i, 5, 400_000));
         }
@@ -178,7 +178,7 @@ public class TrackPlaneTest {
     @Test
     public void eventLeavesAfterTheTimeToCrossTheLifetimesPixels() {
         // at 2 degrees the plane moves 3.492077 px/s: 3 px take 859,087.6 us
-        TrackPlane plane = stillDots(P.withMinShare(0), 5, 5, 1);
+        TrackPlane plane = stillDots(Changed.of(P, "minShare", 0), 5, 5, 1);
         assertEquals(100 * Math.tan(Math.toRadians(2)), plane.vxPxPerS, 1e-5);
         assertFalse(plane.isStarved(859_087));
         assertEquals(11, plane.live());
@@ -188,7 +188,7 @@ public class TrackPlaneTest {
 
     @Test
     public void lifetimeOfAPlaneThatStandsStillIsTheLongest() {
-        TrackPlane plane = stillRow(P.withMaxLifetimeUs(2 * SECOND), 8);
+        TrackPlane plane = stillRow(Changed.of(P, "maxLifetimeUs", 2 * SECOND), 8);
         plane.isStarved(2 * SECOND);
         assertEquals(9, plane.live());
         plane.isStarved(2 * SECOND + 1);
@@ -198,7 +198,7 @@ public class TrackPlaneTest {
     @Test
     public void planeWithFewerEventsThanItsShareOfCellsALifetimeIsStarved() {
         // 8 cells, share 0.25: 2 events in a lifetime of 1 s do, 1 is not; and nobody asks before a lifetime is over
-        SofasParameters p = P.withMinShare(0.25).withMaxLifetimeUs(SECOND);
+        Numbers p = Changed.of(P, "minShare", 0.25, "maxLifetimeUs", SECOND);
         TrackPlane fed = stillRow(p, 8);
         fed.offer(10, 5, 100);
         fed.offer(11, 5, 200);
@@ -211,7 +211,7 @@ public class TrackPlaneTest {
 
     @Test
     public void planeWithoutLiveEventsIsStarvedAtOnce() {
-        assertTrue(stillRow(P.withMinShare(0), 8).isStarved(SECOND + 1));
+        assertTrue(stillRow(Changed.of(P, "minShare", 0), 8).isStarved(SECOND + 1));
     }
 
     @Test
@@ -226,7 +226,7 @@ public class TrackPlaneTest {
     }
 
     /** Ten dots from (x, y) to the right, at time 0, taken to move right at 2 degrees times the last argument. */
-    private static TrackPlane stillDots(SofasParameters p, int x, int y, int right) {
+    private static TrackPlane stillDots(Numbers p, int x, int y, int right) {
         List<Event> events = new ArrayList<>();
         for (int i = 0; i < 10; i++) {
             events.add(new Event(x + i, y, 0, 1));
@@ -254,7 +254,7 @@ public class TrackPlaneTest {
     @Test
     public void planeWhoseEventsHaveAllLeftKeepsItsVelocityAndBox() {
         // a hit, then an event after the end of all live ones: there are no cells of which a share could be hit
-        TrackPlane plane = stillRow(P.withMaxLifetimeUs(SECOND), 8);
+        TrackPlane plane = stillRow(Changed.of(P, "maxLifetimeUs", SECOND), 8);
         assertTrue(plane.offer(17, 5, 10));
         assertFalse(plane.offer(30, 5, 3 * SECOND));
         assertEquals(0, plane.live());
@@ -275,7 +275,7 @@ public class TrackPlaneTest {
             }
         }
         events.add(new Event(20, 5, 1000, 1));
-        TrackPlane plane = started(P.withFlowProjections(31).withRangeDeg(180), events, 30, 15);
+        TrackPlane plane = started(Changed.of(P, "flowProjections", 31, "rangeDeg", 180), events, 30, 15);
         assertEquals(21, plane.live());
         assertEquals(10, plane.cells(1, 1));
         assertEquals(13, plane.cells(2, 1));
@@ -285,7 +285,7 @@ public class TrackPlaneTest {
     public void eventFarFromTheContourMissesHoweverLongTheLifetime() {
         // a lifetime of 100 px on a sensor of 40; at 3.492 px/s the plane has moved round(64.01) = 64 px after 18.33 s:
         // dots at 5 to 14 are expected at 69 to 78, and the pixel where they were is not on the contour
-        TrackPlane plane = stillDots(P.withMaxLifetimePx(100).withLifetimePx(100).withMaxLifetimeUs(60 * SECOND),
+        TrackPlane plane = stillDots(Changed.of(P, "lifetimePx", 100, "maxLifetimeUs", 60 * SECOND),
             5, 5, 1);
         assertFalse(plane.offer(5, 5, 18_330_000));
         assertEquals(11, plane.live());
@@ -305,7 +305,7 @@ public class TrackPlaneTest {
     public void distanceStartsWithinItsBounds() {
         // the spacing of the last cycle is 6 / 3 = 2 degrees
         assertEquals(2, stillRow(P, 8).perturbationDeg(), 0);
-        assertEquals(1, stillRow(P.withMaxPerturbationDeg(1), 8).perturbationDeg(), 0);
-        assertEquals(3, stillRow(P.withMinPerturbationDeg(3), 8).perturbationDeg(), 0);
+        assertEquals(1, stillRow(Changed.of(P, "maxPerturbationDeg", 1), 8).perturbationDeg(), 0);
+        assertEquals(3, stillRow(Changed.of(P, "minPerturbationDeg", 3), 8).perturbationDeg(), 0);
     }
 }

@@ -14,7 +14,7 @@ public class BusyPixelsTest {
     /** Nine eighths of 6 px at 4 px/s, and 10 ms. */
     private static final long INTERVAL_US = 1_697_500;
 
-    private final BusyPixels busy = new BusyPixels(8, 4, P);
+    private final BusyPixels busy = new BusyPixels(8, 4, P.search());
 
     private void fire(int times, int x, int y, long timeUs) {
         for (int i = 0; i < times; i++) {
@@ -24,7 +24,7 @@ public class BusyPixelsTest {
 
     @Test
     public void allowsAPixelSoManyEventsAnInterval() {
-        assertEquals(MOST, BusyPixels.most(P));
+        assertEquals(MOST, BusyPixels.MOST);
         fire(MOST, 3, 2, 1000);
         assertTrue(busy.isBusy(3, 2, 1000));
         assertTrue(busy.isBusy(3, 2, 1000 + INTERVAL_US - 1));
@@ -52,17 +52,14 @@ public class BusyPixelsTest {
     @Test
     public void noCellOverflowsHoweverOftenPixelsSideBySideFire() {
         // the worst case: every pixel that a cell can meet fires as often as it may in two intervals
-        for (double travelPx : new double[] {2, 6, 32}) {
-            SofasParameters p = P.withFlowTravelPx(travelPx);
-            int pixels = 4 + 2 * (int) Math.ceil(2 + Math.sqrt(2) * travelPx);
-            assertTrue("travel " + travelPx, 2 * BusyPixels.most(p) * pixels + 2048 <= Short.MAX_VALUE);
-        }
+        int pixels = 4 + 2 * (int) Math.ceil(2 + Math.sqrt(2) * FlowPlane.TRAVEL_PX);
+        assertTrue(2 * BusyPixels.MOST * pixels + 2048 <= Short.MAX_VALUE);
     }
 
     @Test
     public void noCellOfTheFlowPlaneWrapsRoundHoweverOftenPixelsFire() {
-        BusyPixels busy = new BusyPixels(64, 48, SofasParameters.defaults());
-        FlowPlane plane = new FlowPlane(64, 48, SofasParameters.defaults());
+        BusyPixels busy = new BusyPixels(64, 48, SofasParameters.defaults().search());
+        FlowPlane plane = new FlowPlane(64, 48, SofasParameters.defaults().search());
         for (int i = 0; i < 400_000; i++) {
             // an eight by eight block of hot pixels, five million events a second
             int x = 20 + (i & 7);

@@ -41,8 +41,8 @@ public class FlowPlaneTest {
         PlainFlowPlane(SofasParameters p, FlowPlane fast) {
             this.p = p;
             this.fast = fast;
-            end = new int[p.flowProjections()];
-            settledUs = new long[p.flowProjections()];
+            end = new int[p.search().flowProjections()];
+            settledUs = new long[p.search().flowProjections()];
         }
 
         void add(Event e) {
@@ -73,7 +73,7 @@ public class FlowPlaneTest {
 
         /** The time in which a ring travels its pixels. */
         private long windowUs(int ring) {
-            return (long) Math.min(p.lifespanUs(), p.flowTravelPx() / fast.speed(ring) * 1e6);
+            return (long) Math.min(p.search().lifespanUs(), FlowPlane.TRAVEL_PX / fast.speed(ring) * 1e6);
         }
 
         /** Numbers of the events that were not older than the window when the ring settled last. */
@@ -89,7 +89,7 @@ public class FlowPlaneTest {
 
         /** Cell of 2 x 2 px, of time in ticks of a power of two µs that travel 1/512 to 1/256 px. */
         private Cell cell(int k, Event e) {
-            double pxPerUs = fast.speed(k / p.flowProjections()) / 1e6;
+            double pxPerUs = fast.speed(k / p.search().flowProjections()) / 1e6;
             int bits = 0;
             while ((2L << bits) * pxPerUs <= 1.0 / 256) {
                 bits++;
@@ -106,7 +106,7 @@ public class FlowPlaneTest {
         }
 
         private void compare() {
-            int n = p.flowProjections();
+            int n = p.search().flowProjections();
             for (int ring = 0; ring < n; ring++) {
                 List<Integer> held = held(ring);
                 assertEquals("events of ring " + ring, held.size(), fast.count(ring));
@@ -139,8 +139,8 @@ public class FlowPlaneTest {
             Streams.chance(2, TINY, 1500, 4_000_000_000_000_000L, 150),
             Streams.chance(3, TINY, 1500, -5_000_000_000L, 5_000));
         for (List<Event> events : streams) {
-            addSettleAndCompare(events, TINY, P.withFlowProjections(5), 1);
-            addSettleAndCompare(events, TINY, P.withLifespanUs(30_000), 7);
+            addSettleAndCompare(events, TINY, P.with("flowProjections", 5), 1);
+            addSettleAndCompare(events, TINY, P.with("lifespanUs", 30_000), 7);
         }
     }
 
@@ -148,16 +148,16 @@ public class FlowPlaneTest {
     public void everyMetricIsTheSumOfSquaresWhenTheEventsOutgrowTheArrays() {
         // 20,000 events in 0.2 s, all held by the slow rings
         List<Event> events = Streams.chance(4, new SensorSize(128, 128), 20_000, 0, 10);
-        addSettleAndCompare(events, new SensorSize(128, 128), P.withFlowProjections(3), 40);
+        addSettleAndCompare(events, new SensorSize(128, 128), P.with("flowProjections", 3), 40);
     }
 
     private static void addSettleAndCompare(List<Event> events, SensorSize sensor, SofasParameters p, int every) {
         Random random = new Random(5);
-        FlowPlane fast = new FlowPlane(sensor.width(), sensor.height(), p);
+        FlowPlane fast = new FlowPlane(sensor.width(), sensor.height(), p.search());
         PlainFlowPlane plain = new PlainFlowPlane(p, fast);
         int settlings = 0;
         List<Integer> structure = new ArrayList<>();
-        int nextRing = p.flowProjections();
+        int nextRing = p.search().flowProjections();
         for (Event e : events) {
             plain.add(e);
             if (fast.isToSettle(e.timeUs())) {
@@ -165,11 +165,11 @@ public class FlowPlaneTest {
                 if (settlings++ % every == 0) {
                     plain.compare();
                 }
-                if (nextRing < p.flowProjections()) {
+                if (nextRing < p.search().flowProjections()) {
                     plain.takeOut(nextRing++, structure);
                 } else if (random.nextInt(4) == 0) {
                     // a structure is taken out ring by ring, as if a third of the events of one ring were it
-                    structure = plain.held(random.nextInt(p.flowProjections()));
+                    structure = plain.held(random.nextInt(p.search().flowProjections()));
                     structure.removeIf(i -> random.nextInt(3) > 0);
                     nextRing = 0;
                 }
@@ -180,7 +180,7 @@ public class FlowPlaneTest {
 
     @Test
     public void blockIsFullAt256EventsOrAfterTwoMilliseconds() {
-        FlowPlane plane = new FlowPlane(32, 24, P);
+        FlowPlane plane = new FlowPlane(32, 24, P.search());
         assertFalse(plane.isToSettle(1_000_000));
         for (int i = 0; i < 255; i++) {
             plane.add(1, 1, 0, 1);
@@ -196,8 +196,8 @@ public class FlowPlaneTest {
     @Test
     public void speedsAreEvenlySpacedInLogarithmAndDirectionsAllRound() {
         // 5 speeds from 4 to 1024 px/s: a factor of 4 each. Ring 1 is turned by 36 degrees, half of 72.
-        SofasParameters p = P.withFlowProjections(5).withSlowestPxPerS(4).withFastestPxPerS(1024);
-        FlowPlane plane = new FlowPlane(32, 24, p);
+        SofasParameters p = P.with("flowProjections", 5).with("slowestPxPerS", 4).with("fastestPxPerS", 1024);
+        FlowPlane plane = new FlowPlane(32, 24, p.search());
         for (int ring = 0; ring < 5; ring++) {
             assertEquals(4 * Math.pow(4, ring), plane.speed(ring), 1e-9);
         }
@@ -211,13 +211,13 @@ public class FlowPlaneTest {
 
     @Test
     public void eventLeavesASpeedWhenThatHasTravelledItsPixels() {
-        // 4 px: at 4 px/s 1 s, at 16 px/s 0.25 s, at 64 px/s 62,500 us; the lifespan of 0.5 s ends the first sooner
-        SofasParameters p = P.withFlowProjections(3).withSlowestPxPerS(4).withFastestPxPerS(64).withFlowTravelPx(4)
-            .withLifespanUs(500_000);
+        // 6 px: at 6 px/s 1 s, at 24 px/s 0.25 s, at 96 px/s 62,500 us; the lifespan of 0.5 s ends the first sooner
+        SofasParameters p = P.with("flowProjections", 3).with("slowestPxPerS", 6).with("fastestPxPerS", 96)
+            .with("lifespanUs", 500_000);
         long[] leaves = {500_000, 250_000, 62_500};
         for (int ring = 0; ring < 3; ring++) {
             for (int late = 0; late < 2; late++) {
-                FlowPlane plane = new FlowPlane(32, 24, p);
+                FlowPlane plane = new FlowPlane(32, 24, p.search());
                 plane.add(10, 10, 0, 1);
                 plane.settle(leaves[ring] + late);
                 assertEquals("ring " + ring + " late " + late, 1 - late, plane.count(ring));
@@ -229,8 +229,8 @@ public class FlowPlaneTest {
     @Test
     public void ringTakesItsEventsInAfterASixteenthOfItsWindowOrWhenTheyAreABlock() {
         // windows of 1 s, 0.25 s and 62.5 ms: a sixteenth is 62,500, 15,625 and 3,906.25 us
-        SofasParameters p = P.withFlowProjections(3).withSlowestPxPerS(4).withFastestPxPerS(64).withFlowTravelPx(4);
-        FlowPlane plane = new FlowPlane(32, 24, p);
+        SofasParameters p = P.with("flowProjections", 3).with("slowestPxPerS", 6).with("fastestPxPerS", 96);
+        FlowPlane plane = new FlowPlane(32, 24, p.search());
         plane.add(10, 10, 0, 1);
         plane.settle(15_624);
         assertEquals(0, plane.count(0));
@@ -248,7 +248,7 @@ public class FlowPlaneTest {
 
     @Test
     public void resetEmptiesEveryProjection() {
-        FlowPlane plane = new FlowPlane(32, 24, P);
+        FlowPlane plane = new FlowPlane(32, 24, P.search());
         for (Event e : Streams.edge(3, 10, 20, -100, 5_000)) {
             plane.add(e.x(), e.y(), e.timeUs(), e.polarity());
             if (plane.isToSettle(e.timeUs())) {
@@ -256,7 +256,7 @@ public class FlowPlaneTest {
             }
         }
         plane.reset();
-        int n = P.flowProjections();
+        int n = P.search().flowProjections();
         for (int k = 0; k < n * n; k++) {
             assertEquals(0, plane.metric(k));
             assertEquals(0, plane.count(k / n));

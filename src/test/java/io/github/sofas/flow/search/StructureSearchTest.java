@@ -53,10 +53,10 @@ public class StructureSearchTest {
      * @param ofAnother events of that column that ring 0 is rid of, as another structure was given them
      */
     private static int left(boolean column, int ofAnother) {
-        FlowPlane plane = new FlowPlane(SENSOR.width(), SENSOR.height(), P);
+        FlowPlane plane = new FlowPlane(SENSOR.width(), SENSOR.height(), P.search());
         AllStructures structures = new AllStructures();
-        MetricFit fit = new MetricFit(SENSOR.width(), SENSOR.height(), P.voteCellPx(), 4096, 300);
-        StructureSearch search = new StructureSearch(plane, P, fit, structures);
+        MetricFit fit = new MetricFit(SENSOR.width(), SENSOR.height(), MetricFit.CELL_PX, 4096, 300);
+        StructureSearch search = new StructureSearch(plane, P.search(), fit, structures);
         List<Event> edge = Streams.edge(4, 9, ROWS, 0, 10_000);
         for (int i = 0; i < 9 * ROWS; i++) {
             if (i == 8 * ROWS) {

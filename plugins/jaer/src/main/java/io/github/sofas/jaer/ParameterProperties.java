@@ -1,42 +1,38 @@
 package io.github.sofas.jaer;
 
 import ch.unizh.ini.jaer.projects.rbodo.opticalflow.AbstractMotionFlowIMU;
+import io.github.sofas.flow.ParameterHandle;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.SofasParameters.Preset;
-import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import net.sf.jaer.Preferred;
 import net.sf.jaer.chip.AEChip;
 
 /**
- * The components of {@link SofasParameters} as properties that jAER finds by their getters and setters, shows, and
- * keeps in its preferences; here what all have in common. Setters may be called by any thread; a value outside its
+ * The parameters of {@link SofasParameters} as properties that jAER finds by their getters and setters, shows, and
+ * keeps in its preferences; here what all have in common, while the getters and setters are generated. Setters may be called by any thread; a value outside its
  * bounds is moved into them, with a line in the log.
  */
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
 public abstract class ParameterProperties extends AbstractMotionFlowIMU {
     private static final String METHOD = "0: SOFAS";
-    private static final String SEARCH = "1: SOFAS flow plane";
-    private static final String TRACK = "2: SOFAS track planes";
-    private static final List<String> OF_THE_SEARCH = List.of("flowProjections", "velocityScalePxPerS", "rangeDeg",
-        "refinement", "cycles", "constantEvents", "slowestPxPerS", "fastestPxPerS", "flowTravelPx", "lifespanUs",
-        "thresholdSd", "minEvents", "evidence", "slowestWithin");
 
     private final ParameterValues values;
 
     /** Reads the preferences. */
     protected ParameterProperties(AEChip chip) {
         super(chip);
-        values = new ParameterValues(ParameterValues.of(storedPreset()));
+        values = new ParameterValues(SofasParameters.of(storedPreset()));
         setPropertyTooltip(METHOD, "preset", "<html>which method the others belong to, and their values when it is"
             + " chosen:<br>DEFAULT is most accurate and fast, PAPER is the method as published; default DEFAULT");
         // twice, because one may bound another that comes before it
         restore();
         restore().forEach(log::warning);
-        for (RecordComponent component : ParameterValues.components()) {
-            setPropertyTooltip(OF_THE_SEARCH.contains(component.getName()) ? SEARCH : TRACK, component.getName(),
-                ParameterValues.tooltip(component));
+        List<String> groups = ParameterHandle.all().stream().map(ParameterHandle::group).distinct().toList();
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            setPropertyTooltip(1 + groups.indexOf(handle.group()) + ": SOFAS " + handle.group(), handle.name(),
+                ParameterValues.tooltip(handle));
         }
     }
 
@@ -54,16 +50,16 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
     /** Sets what the preferences say; returns what was wrong with it. */
     private List<String> restore() {
         List<String> wrong = new ArrayList<>();
-        SofasParameters preset = ParameterValues.of(values.parameters().preset());
-        for (RecordComponent component : ParameterValues.components()) {
-            String name = component.getName();
-            Object value = ParameterValues.value(component, preset);
-            if (component.getType() == boolean.class) {
+        SofasParameters preset = SofasParameters.of(values.parameters().preset());
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            String name = handle.name();
+            Object value = handle.get(preset);
+            if (handle.isSwitch()) {
                 values.set(name, getBoolean(name, (Boolean) value));
-            } else if (component.getType() == double.class) {
-                wrong.add(values.set(name, exactly(getFloat(name, ((Number) value).floatValue()))));
-            } else {
+            } else if (handle.isWhole()) {
                 wrong.add(values.set(name, (double) getInt(name, ((Number) value).intValue())));
+            } else {
+                wrong.add(values.set(name, exactly(getFloat(name, ((Number) value).floatValue()))));
             }
         }
         wrong.removeIf(String::isEmpty);
@@ -143,23 +139,23 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         putString("preset", preset.name());
         parametersChanged();
         getSupport().firePropertyChange("preset", before.preset(), preset);
-        for (RecordComponent component : ParameterValues.components()) {
-            Object was = shown(component, before);
-            Object is = shown(component, after);
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            Object was = shown(handle, before);
+            Object is = shown(handle, after);
             if (is instanceof Boolean) {
-                putBoolean(component.getName(), (Boolean) is);
+                putBoolean(handle.name(), (Boolean) is);
             } else if (is instanceof Float) {
-                putFloat(component.getName(), (Float) is);
+                putFloat(handle.name(), (Float) is);
             } else {
-                putInt(component.getName(), (Integer) is);
+                putInt(handle.name(), (Integer) is);
             }
-            getSupport().firePropertyChange(component.getName(), was, is);
+            getSupport().firePropertyChange(handle.name(), was, is);
         }
     }
 
     /** A value in the type that a control has. */
-    private static Object shown(RecordComponent component, SofasParameters parameters) {
-        Object value = ParameterValues.value(component, parameters);
+    private static Object shown(ParameterHandle handle, SofasParameters parameters) {
+        Object value = handle.get(parameters);
         if (value instanceof Double) {
             return ((Double) value).floatValue();
         }

@@ -35,8 +35,8 @@ import net.sf.jaer.graphics.AEViewer;
 @Description("SOFAS: simultaneous optical flow and segmentation (Stoffregen and Kleeman 2017)")
 @DevelopmentStatus(DevelopmentStatus.Status.Stable)
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
-public class SofasFlow extends TrackPlaneProperties {
-    private static final String DRAWING = "3: SOFAS drawing";
+public class SofasFlow extends GeneratedProperties {
+    private static final String DRAWING = "4: SOFAS drawing";
 
     private final PacketAdapter adapter = new PacketAdapter();
     private final FlowDrawing drawing = new FlowDrawing();

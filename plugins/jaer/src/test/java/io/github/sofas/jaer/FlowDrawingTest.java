@@ -9,7 +9,6 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters;
-import io.github.sofas.flow.SofasParameters.Preset;
 import java.lang.reflect.Proxy;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -129,7 +128,7 @@ public class FlowDrawingTest {
         filter.setSegmentVelocityShown(false);
         filter.setSegmentLabelsShown(false);
         filter.setLegendShown(false);
-        Sofas paper = new Sofas(Packets.SENSOR, ParameterValues.of(Preset.PAPER));
+        Sofas paper = new Sofas(Packets.SENSOR, SofasParameters.paper());
         packet.read(Packets.of(Packets.film().get(3)), Packets.SENSOR);
         paper.process(packet.batch(), packet.output());
         new FlowDrawing().draw(gl, paper, packet, filter);

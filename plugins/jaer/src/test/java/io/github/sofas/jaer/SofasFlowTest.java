@@ -9,6 +9,7 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.ParameterHandle;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.SofasParameters.Preset;
@@ -18,7 +19,6 @@ import java.beans.Introspector;
 import java.beans.PropertyChangeEvent;
 import java.beans.PropertyDescriptor;
 import java.lang.reflect.Method;
-import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -112,7 +112,7 @@ public class SofasFlowTest {
             SofasFlow filter = filter();
             filter.setPreset(preset);
             show(filter);
-            assertEquals(expected(ParameterValues.of(preset)), filter.good);
+            assertEquals(expected(SofasParameters.of(preset)), filter.good);
             assertEquals(FILM.size(), filter.getMotionFlowStatistics().packets);
             assertTrue(filter.engineNs() > 0);
         }
@@ -222,12 +222,12 @@ public class SofasFlowTest {
     @Test
     public void everyParameterIsAPropertyWithTheDefaultValueAndATooltip() throws Exception {
         SofasFlow filter = filter();
-        for (RecordComponent component : SofasParameters.class.getRecordComponents()) {
-            String name = component.getName();
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            String name = handle.name();
             PropertyDescriptor property = properties().get(name);
             assertTrue(name + " must be a property", property != null);
             Object value = property.getReadMethod().invoke(filter);
-            Object expected = component.getAccessor().invoke(SofasParameters.defaults());
+            Object expected = handle.get(SofasParameters.defaults());
             assertEquals(name, expected instanceof Double ? expected.toString() : String.valueOf(expected),
                 value instanceof Float ? Double.valueOf(value.toString()).toString() : String.valueOf(value));
             assertTrue(name, filter.tooltips.containsKey(name));
@@ -255,13 +255,13 @@ public class SofasFlowTest {
     public void changesAreKeptForTheNextFilter() {
         SofasFlow filter = filter();
         filter.setPreset(Preset.PAPER);
-        filter.setContourThreshold(5);
-        filter.setHitShare(0.2f);
-        filter.setRotation(true);
+        filter.setConstantEvents(200);
+        filter.setMinShare(0.15f);
+        filter.setRotation(false);
         filter.setLegendShown(false);
         filter.setEventColours(FlowDrawing.Colouring.FLOW);
         SofasFlow next = new SofasFlow(chip);
-        assertEquals(SofasParameters.paper().withContourThreshold(5).withHitShare(0.2).withRotation(true),
+        assertEquals(SofasParameters.paper().with("constantEvents", 200).with("minShare", 0.15).with("rotation", false),
             next.parameters());
         assertFalse(next.isLegendShown());
         assertEquals(FlowDrawing.Colouring.FLOW, next.getEventColours());
@@ -272,7 +272,7 @@ public class SofasFlowTest {
         SofasFlow filter = filter();
         filter.setMaxLifetimePx(40);
         filter.setLifetimePx(30);
-        assertEquals(SofasParameters.defaults().withMaxLifetimePx(40).withLifetimePx(30),
+        assertEquals(SofasParameters.defaults().with("maxLifetimePx", 40).with("lifetimePx", 30),
             new SofasFlow(chip).parameters());
         assertEquals(List.of(), warnings);
     }
@@ -280,13 +280,13 @@ public class SofasFlowTest {
     @Test
     public void unusablePreferencesAreMovedIntoTheirBounds() {
         EventFilter.PREFERENCES.put("preset", "BEST");
-        EventFilter.PREFERENCES.put("contourShare", "7");
+        EventFilter.PREFERENCES.put("minShare", "7");
         EventFilter.PREFERENCES.put("eventColours", "GREEN");
         SofasFlow filter = filter();
-        assertEquals(SofasParameters.defaults().withContourShare(1), filter.parameters());
+        assertEquals(SofasParameters.defaults().with("minShare", 1), filter.parameters());
         assertEquals(FlowDrawing.Colouring.SEGMENT, filter.getEventColours());
         assertEquals(List.of("preset must be DEFAULT or PAPER but was BEST; set to DEFAULT",
-            "contourShare must be between 0 and 1 but was 7; set to 1"), warnings);
+            "minShare must be between 0 and 1 but was 7; set to 1"), warnings);
     }
 
     @Test
@@ -332,7 +332,7 @@ public class SofasFlowTest {
         assertEquals(SofasParameters.paper(), filter.parameters());
         assertEquals(3f, told.get("lifetimePx"));
         assertEquals(200_000, told.get("lifespanUs"));
-        assertEquals(false, told.get("rotation"));
+        assertEquals(0.2f, told.get("minShare"));
         assertFalse(told.containsKey("minEvents"));
     }
 
@@ -356,8 +356,8 @@ public class SofasFlowTest {
     public void sliderEndsAreTheParametersBounds() throws Exception {
         SofasFlow filter = filter();
         int sliders = 0;
-        for (RecordComponent component : ParameterValues.components()) {
-            String capital = Character.toUpperCase(component.getName().charAt(0)) + component.getName().substring(1);
+        for (ParameterHandle handle : ParameterHandle.all()) {
+            String capital = Character.toUpperCase(handle.name().charAt(0)) + handle.name().substring(1);
             Method least;
             Method most;
             try {
@@ -366,12 +366,12 @@ public class SofasFlowTest {
             } catch (NoSuchMethodException e) {
                 continue;
             }
-            var bounds = component.getAnnotation(io.github.sofas.flow.Parameter.class);
+            var bounds = handle.declaration();
             assertEquals(bounds.min(), ((Number) least.invoke(filter)).doubleValue(), 1e-6);
             assertEquals(bounds.max(), ((Number) most.invoke(filter)).doubleValue(), 1e-6);
             sliders++;
         }
-        assertEquals(14, sliders);
+        assertEquals(5, sliders);
     }
 
     /** Any value by any thread, at any time. */

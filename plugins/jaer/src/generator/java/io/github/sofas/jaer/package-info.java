@@ -1,0 +1,2 @@
+/** What writes sources of the filter at build time. */
+package io.github.sofas.jaer;
