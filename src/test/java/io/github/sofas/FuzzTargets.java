@@ -23,6 +23,7 @@ public final class FuzzTargets {
     static final List<Class<?>> ALL = List.of(ReaderFuzz.Aedat1.class, ReaderFuzz.Aedat2Dvs128.class,
         ReaderFuzz.Aedat2Davis.class, ReaderFuzz.Aedat3.class, ReaderFuzz.Aedat4.class, ReaderFuzz.Lz4.class,
         ReaderFuzz.Evt.class, ReaderFuzz.Dat.class, ReaderFuzz.EventStream.class, ReaderFuzz.NMnist.class,
+        ReaderFuzz.Hdf5.class,
         ReaderFuzz.Text.class, ReaderFuzz.Detection.class, LiveFuzz.Davis.class, LiveFuzz.Dvs128.class,
         LiveFuzz.Datagrams.class, FlowCsvFuzz.class, TruthCsvFuzz.class, FileFuzz.BiasesFile.class,
         FileFuzz.EarlierSummary.class, ParameterFuzz.class, EngineFuzz.class);

@@ -28,7 +28,7 @@ final class RecordingArguments {
      * are named one by one or by a pattern.
      */
     static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat", "raw", "es",
-        "bin");
+        "bin", "h5", "hdf5");
 
     private static final String WILDCARDS = "*?[{";
     /** What stands in an argument for bytes that are no characters. */

@@ -1,5 +1,6 @@
 package io.github.sofas.recording;
 
+import io.jhdf.HdfFile;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -113,6 +114,15 @@ final class RecordingFile implements Closeable {
             done += read;
         }
         return done;
+    }
+
+    /**
+     * The file as HDF5, read past the buffer; closing one closes both.
+     *
+     * @throws io.jhdf.exceptions.HdfException where it is none
+     */
+    HdfFile asHdf5() {
+        return new HdfFile(channel);
     }
 
     /** Goes to a place in the file, forwards or backwards. */

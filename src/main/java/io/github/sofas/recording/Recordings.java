@@ -111,6 +111,9 @@ public final class Recordings {
         if (startsWith(file, EventStreamReader.MAGIC)) {
             return EventStreamReader.open(file, options);
         }
+        if (startsWith(file, Hdf5Reader.MAGIC)) {
+            return Hdf5Reader.open(file, options);
+        }
         if (PropheseeHeader.startsAt(file)) {
             return prophesee(file, options);
         }

@@ -351,7 +351,7 @@ public class RunCommandTest {
         assertUsage("[" + missing + "] no such file", HEXAGON, missing);
         Path empty = Files.createDirectory(root.resolve("empty"));
         assertUsage("[" + empty + "] no recording in this directory: extensions are aedat, aedat2, aedat3, aedat4, "
-            + "dat, raw, es, bin", empty);
+            + "dat, raw, es, bin, h5, hdf5", empty);
         assertUsage("[" + root + "/*.aedat] no file matches this pattern", root + "/*.aedat");
         assertUsage("[" + root + "/none/*.aedat] no file matches this pattern", root + "/none/*.aedat");
     }

@@ -262,6 +262,22 @@ public final class ReaderFuzz {
         }
     }
 
+    /** HDF5, whose container is a library's. */
+    public static final class Hdf5 {
+        private Hdf5() {
+        }
+
+        /** Called by the fuzzer. */
+        public static void fuzzerTestOneInput(byte[] data) {
+            read("a.h5", data, RecordingOptions.defaults().withChip("346x260").withStrict(data.length % 2 == 1));
+        }
+
+        /** Valid inputs to start from. */
+        public static List<byte[]> seeds() {
+            return List.of(Hdf5Bytes.dsec(true), Hdf5Bytes.mvsec());
+        }
+    }
+
     /** Prophesee's DAT, versions 1 and 2. */
     public static final class Dat {
         private Dat() {

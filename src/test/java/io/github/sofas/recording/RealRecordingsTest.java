@@ -63,12 +63,17 @@ public class RealRecordingsTest {
         assertFaultless(323_963, "moving-head.aedat4", null);
     }
 
-    @Test public void readsOneSceneAlikeFromThreeFormats() throws Exception {
+    @Test public void readsOneSceneAlikeFromFiveFormats() throws Exception {
         Read lz4 = assertFaultless(78_830, "cars.aedat4", null);
         Read zstd = assertFaultless(78_830, "cars-zstd.aedat4", null);
         Read aedat2 = assertFaultless(78_830, "cars.aedat", null);
         assertEquals(lz4.checksum, zstd.checksum);
         assertEquals(lz4.checksum, aedat2.checksum);
+        for (String hdf5 : List.of("cars-dsec.h5", "cars-mvsec.h5")) {
+            Read read = assertFaultless(78_830, hdf5, "346x260");
+            assertEquals(lz4.checksum, read.checksum);
+            assertEquals(lz4.firstTimeUs, read.firstTimeUs);
+        }
         assertEquals(59, lz4.counts.frames());
         assertEquals(2_363, lz4.counts.imuSamples());
         assertEquals(236, lz4.counts.triggers());
