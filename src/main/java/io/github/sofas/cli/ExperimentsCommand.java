@@ -1,7 +1,9 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.evaluate.KnownTranslations;
 import io.github.sofas.experiments.ExperimentFiles;
 import io.github.sofas.experiments.Experiments;
+import io.github.sofas.experiments.Tables;
 import io.github.sofas.export.ResultFiles;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -9,20 +11,26 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Runs the paper's experiments and writes them as a page and as CSV. */
-@Command(name = "experiments", sortOptions = false, customSynopsis = "sofas experiments --out DIR [OPTION]...",
+/** Runs the paper's experiments and writes them as a page and as CSV, or prints tables of one method. */
+@Command(name = "experiments", sortOptions = false, customSynopsis = {"sofas experiments --out DIR [OPTION]...",
+        "       sofas experiments [--random N] [--scenes] [--recordings DIR] [OPTION]..."},
     description = {"Run the paper's experiments on simulated scenes: both presets, Lucas-Kanade and local planes.",
         "Writes experiments.html, which needs no network, and figures.csv, goals.csv, histograms.csv, curves.csv and "
-        + "metric-maps.csv. It takes a minute or two."},
+        + "metric-maps.csv. It takes a few minutes.",
+        "Without --out, prints tables of one method, a line a scene or recording: IoU, parts an object, relative "
+        + "endpoint error, events with flow, events faster than twice the fastest true one, noise with flow; and of "
+        + "recordings sharpness, that of the best single translation, gain, segments that hold 1 %% of the flow."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:written", "1:a recording cannot be read (the rest is written), or the files cannot be written",
         "2:wrong usage; nothing was run"})
@@ -30,14 +38,29 @@ final class ExperimentsCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
+    @Option(names = {"-o", "--out"}, paramLabel = "DIR",
         description = "Where the files go; made if it does not exist.")
     private Path out;
 
+    @Option(names = "--random", paramLabel = "N", description = "Table of N random scenes, of consecutive seeds.")
+    private Integer random;
+
+    @Option(names = "--from-seed", paramLabel = "SEED", defaultValue = "1",
+        description = "Seed of the first random scene; default: ${DEFAULT-VALUE}.")
+    private long fromSeed;
+
+    @Option(names = "--scenes", description = "Table of textured scenes and those of the experiments.")
+    private boolean scenes;
+
     @Option(names = "--recordings", paramLabel = "DIR",
         description = "Folder of the recordings of real cameras that something is known of; without it they are left "
-            + "out.")
+            + "out. For a table, any folder of recordings.")
     private Path recordings;
+
+    @Option(names = "--translations", paramLabel = "FILE",
+        description = "Where the best single translations of the recordings' windows are kept, for finding them takes "
+            + "most of the time; made or extended.")
+    private Path translations;
 
     @Option(names = {"-j", "--jobs"}, paramLabel = "N",
         description = "How many run at a time; default: one a processor.")
@@ -49,6 +72,12 @@ final class ExperimentsCommand implements Callable<Integer> {
     @Option(names = {"-q", "--quiet"}, description = "Print no progress.")
     private boolean quiet;
 
+    @Mixin
+    private MethodOptions methodOptions;
+
+    @Mixin
+    private ParameterOptions parameterOptions;
+
     @Override
     public Integer call() throws InterruptedException {
         if (jobs < 1) {
@@ -56,6 +85,9 @@ final class ExperimentsCommand implements Callable<Integer> {
         }
         if (recordings != null && !Files.isDirectory(recordings)) {
             throw usage("--recordings must be a directory but was \"" + recordings + "\"");
+        }
+        if (out == null) {
+            return tables();
         }
         for (ExperimentFiles file : ExperimentFiles.values()) {
             Path path = out.resolve(file.fileName());
@@ -78,6 +110,40 @@ final class ExperimentsCommand implements Callable<Integer> {
             return experiments.failures().isEmpty() ? Main.OK : Main.FAILED;
         } catch (IOException e) {
             err.println("[" + out + "] cannot be written: " + FileFailure.text(e));
+            return Main.FAILED;
+        }
+    }
+
+    private Integer tables() throws InterruptedException {
+        if (random == null && !scenes && recordings == null) {
+            throw usage("Missing required option: '--out=DIR', or for tables --random, --scenes or --recordings");
+        }
+        if (random != null && random < 1) {
+            throw usage("--random must be at least 1 but was " + random);
+        }
+        MethodChoice method = methodOptions.choice(parameterOptions);
+        PrintWriter err = spec.commandLine().getErr();
+        Tables tables = new Tables(sensor -> method.make(sensor, ended -> { }), jobs, spec.commandLine().getOut());
+        if (random != null) {
+            tables.random(fromSeed, random);
+        }
+        if (scenes) {
+            tables.scenes();
+        }
+        if (recordings == null) {
+            return Main.OK;
+        }
+        try {
+            KnownTranslations known = translations == null ? new KnownTranslations()
+                : KnownTranslations.read(translations);
+            List<String> failures = tables.recordings(recordings, known);
+            failures.forEach(err::println);
+            if (translations != null) {
+                known.write(translations);
+            }
+            return failures.isEmpty() ? Main.OK : Main.FAILED;
+        } catch (IOException | NumberFormatException e) {
+            err.println("[" + (translations == null ? recordings : translations) + "] cannot be read or written: " + e);
             return Main.FAILED;
         }
     }

@@ -28,7 +28,7 @@ final class SofasCommand implements Runnable {
         AutoComplete.GenerateCompletion.class);
     /** Those that have the algorithm's parameters as options. */
     private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, RenderCommand.class,
-        LiveCommand.class, EvaluateCommand.class, BenchCommand.class);
+        LiveCommand.class, EvaluateCommand.class, ExperimentsCommand.class, BenchCommand.class);
 
     @Spec
     private CommandSpec spec;

@@ -24,7 +24,7 @@ public record ConvergenceBin(long fromUs, long untilUs, long events, long events
                                    EvaluationOptions options) {
         FlowFigures.Gatherer[] bins = new FlowFigures.Gatherer[options.convergenceBins()];
         for (int b = 0; b < bins.length; b++) {
-            bins[b] = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS);
+            bins[b] = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS, Double.POSITIVE_INFINITY);
         }
         for (int i = 0; i < truth.size(); i++) {
             int object = ids.indexOf(i);

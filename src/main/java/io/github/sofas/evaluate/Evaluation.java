@@ -37,10 +37,14 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
         }
         ObjectIds ids = new ObjectIds(truth);
         int start = truth.firstCounted(options.skipFirstShare());
-        FlowFigures.Gatherer all = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS);
+        double fastest = 0;
+        for (int i = start; i < n; i++) {
+            fastest = Math.max(fastest, ids.indexOf(i) < 0 ? 0 : truth.speed(i));
+        }
+        FlowFigures.Gatherer all = new FlowFigures.Gatherer(FlowFigures.ALL_OBJECTS, fastest);
         FlowFigures.Gatherer[] byObject = new FlowFigures.Gatherer[ids.count()];
         for (int o = 0; o < byObject.length; o++) {
-            byObject[o] = new FlowFigures.Gatherer(ids.id(o));
+            byObject[o] = new FlowFigures.Gatherer(ids.id(o), fastest);
         }
         long noise = 0;
         long noiseWithFlow = 0;

@@ -12,6 +12,7 @@ package io.github.sofas.evaluate;
  *   relative endpoint error    100 |u - v| / |v|                         %
  *   outlier                    |u - v| &gt; 135 px/s
  *   relative outlier           |u - v| &gt; 0.05 |v|
+ *   runaway                    |u| &gt; 2 max |v|, over all objects' events that count
  * </pre>
  * The mean endpoint error is the AEE. An outlier is jAER's: KITTI's 3 px an image at EV-FlowNet's 45 images per second;
  * since no object slower than about 100 px/s can well miss by that, KITTI's second bound, 5 %, is counted for itself.
@@ -31,17 +32,20 @@ package io.github.sofas.evaluate;
  * @param outliers events with flow that are outliers
  * @param relativeOutliers events with flow that are relative outliers, of those that have a true direction
  * @param peakTrueSpeedPxPerS greatest true speed of an event that counts
+ * @param runaways events with flow that are runaways
  */
 public record FlowFigures(int object, long events, long eventsWithFlow, Distribution magnitudeErrorPercent,
                           Distribution directionErrorDeg, Distribution angularErrorDeg,
                           Distribution endpointErrorPxPerS, Distribution relativeEndpointErrorPercent, long outliers,
-                          long relativeOutliers, double peakTrueSpeedPxPerS) {
+                          long relativeOutliers, double peakTrueSpeedPxPerS, long runaways) {
     /** Stands for all objects together. */
     public static final int ALL_OBJECTS = -1;
     /** Slowest true speed that has a direction, in px/s. */
     public static final double MIN_TRUE_SPEED = 1;
     /** An endpoint error above this is an outlier, in px/s. */
     public static final double OUTLIER_PX_PER_S = 3 * 45;
+    /** A speed above this multiple of the fastest true one is a runaway. */
+    public static final double RUNAWAY_RATIO = 2;
     /** A relative endpoint error above this is a relative outlier, in %. */
     public static final double RELATIVE_OUTLIER_PERCENT = 5;
 
@@ -65,6 +69,11 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         return peakTrueSpeedPxPerS == 0 ? 0 : 100 * endpointErrorPxPerS.mean() / peakTrueSpeedPxPerS;
     }
 
+    /** Share of runaways among the events with flow. */
+    public double runawayShare() {
+        return share(runaways, eventsWithFlow);
+    }
+
     static double share(long part, long whole) {
         return whole == 0 ? 0 : (double) part / whole;
     }
@@ -81,10 +90,14 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         private long eventsWithFlow;
         private long outliers;
         private long relativeOutliers;
+        private final double runawayPxPerS;
         private double peak;
+        private long runaways;
 
-        Gatherer(int object) {
+        /** Makes one; the fastest true speed is that of any object's event that counts. */
+        Gatherer(int object, double fastestPxPerS) {
             this.object = object;
+            runawayPxPerS = RUNAWAY_RATIO * fastestPxPerS;
         }
 
         void add(GroundTruth truth, FlowEstimate estimate, int i) {
@@ -99,6 +112,7 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
             eventsWithFlow++;
             double ux = estimate.vxPxPerS(i);
             double uy = estimate.vyPxPerS(i);
+            runaways += Math.hypot(ux, uy) > runawayPxPerS ? 1 : 0;
             double error = Math.hypot(ux - vx, uy - vy);
             endpoint.add(error);
             if (error > OUTLIER_PX_PER_S) {
@@ -123,7 +137,7 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         FlowFigures figures() {
             return new FlowFigures(object, events, eventsWithFlow, magnitude.distribution(),
                     direction.distribution(), angle.distribution(), endpoint.distribution(),
-                    relative.distribution(), outliers, relativeOutliers, peak);
+                    relative.distribution(), outliers, relativeOutliers, peak, runaways);
         }
     }
 

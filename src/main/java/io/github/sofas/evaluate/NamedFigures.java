@@ -28,6 +28,7 @@ final class NamedFigures {
         figures.put("outlier_share", of(flow.outlierShare(), flow.eventsWithFlow()));
         figures.put("relative_outlier_share",
                 of(flow.relativeOutlierShare(), flow.relativeEndpointErrorPercent().count()));
+        figures.put("runaway_share", of(flow.runawayShare(), flow.eventsWithFlow()));
         return figures;
     }
 

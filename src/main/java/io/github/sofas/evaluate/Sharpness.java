@@ -108,11 +108,24 @@ public record Sharpness(List<SharpnessWindow> windows) {
         private final int eventsOfFullWindow;
         private final EventPicture picture;
         private final SingleTranslation translation;
+        private final KnownTranslations known;
+        private final String recording;
         private final MovedEvents window = new MovedEvents();
         private final List<SharpnessWindow> windows = new ArrayList<>();
 
         /** Makes one for a sensor. */
         public Gatherer(SensorSize sensor) {
+            this(sensor, new KnownTranslations(), "");
+        }
+
+        /**
+         * Makes one that looks up the best single translations, and adds those that are not known.
+         *
+         * @param recording what the recording is called among them
+         */
+        public Gatherer(SensorSize sensor, KnownTranslations known, String recording) {
+            this.known = known;
+            this.recording = recording;
             eventsOfFullWindow = (int) Math.ceil(EVENTS_PER_PX * sensor.width() * sensor.height());
             picture = new EventPicture(sensor);
             translation = new SingleTranslation(sensor);
@@ -136,7 +149,7 @@ public record Sharpness(List<SharpnessWindow> windows) {
             double variance = picture.variance();
             window.drawMoved(picture);
             double movedVariance = picture.variance();
-            translation.find(window);
+            known.take(recording, window, translation);
             windows.add(new SharpnessWindow(window.firstUs(), window.lastUs(), window.size(), window.withFlow(),
                 variance, movedVariance, translation.variance(), translation.vxPxPerS(), translation.vyPxPerS()));
             window.clear();

@@ -61,10 +61,19 @@ final class SingleTranslation {
         return variance;
     }
 
+    /** Takes a velocity that was found before. */
+    void take(MovedEvents events, double knownVxPxPerS, double knownVyPxPerS) {
+        vxPxPerS = knownVxPxPerS;
+        vyPxPerS = knownVyPxPerS;
+        events.drawMovedBy(picture, vxPxPerS, vyPxPerS);
+        variance = picture.variance();
+    }
+
     /** Finds the velocity of a window's events. */
     void find(MovedEvents events) {
         events.drawAsTheyAre(picture);
         Travel best = new Travel(0, 0, picture.variance());
+        variance = best.variance;
         double windowS = (events.lastUs() - events.firstUs()) * 1e-6;
         if (windowS > 0) {
             List<Travel> starts = new ArrayList<>(peaks(sample(events)));
@@ -77,10 +86,11 @@ final class SingleTranslation {
                     best = improved;
                 }
             }
-            vxPxPerS = best.x / windowS;
-            vyPxPerS = best.y / windowS;
+            take(events, best.x / windowS, best.y / windowS);
+        } else {
+            vxPxPerS = 0;
+            vyPxPerS = 0;
         }
-        variance = best.variance;
     }
 
     private static Sample sample(MovedEvents events) {

@@ -77,6 +77,21 @@ interface Motion {
         }
     }
 
+    /** The path of another motion without its turning. */
+    record NotTurning(Motion path) implements Motion {
+        @Override
+        public void poseAt(double timeS, Pose pose) {
+            path.poseAt(timeS, pose);
+            pose.turnTo(0);
+            pose.turnRadPerS = 0;
+        }
+
+        @Override
+        public double maxSpeedPxPerS(double distancePx) {
+            return path.maxSpeedPxPerS(0);
+        }
+    }
+
     /**
      * What a camera's own motion does to the picture of a wall: it slides, turns about the wall's origin and grows.
      * Each of the three rates swings about its mean by a share of it, a third of a period after the one before.

@@ -37,6 +37,12 @@ public enum Scene {
     /** Three creatures. */
     THREE_WANDERING("three-wandering", "three long bodies that wander at random, turn and reverse, for 6 s",
             Scenes::threeWandering),
+    /** A pendulum's path without its turning. */
+    SWINGING_BALL("swinging-ball", "a ball on the pendulum's path that does not turn, for two swings",
+            Scenes::swingingBall),
+    /** Wanderers' paths without their turning. */
+    WANDERING_DISCS("wandering-discs", "three discs that wander at random and reverse but do not turn, for 6 s",
+            Scenes::wanderingDiscs),
     /** Many at once. */
     SIXTEEN("sixteen", "sixteen small shapes in four rows that pass each other", Scenes::sixteen),
     /** A camera that pans past a wall. */

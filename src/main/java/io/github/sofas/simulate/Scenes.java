@@ -11,6 +11,7 @@ import io.github.sofas.simulate.Shape.Union;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntFunction;
 
 /** Arranges the objects of each scene for a sensor of any size. */
 final class Scenes {
@@ -85,6 +86,16 @@ final class Scenes {
                 centreY(options) + heading.y(0, sagPx / 2), pxPerM, heading.angleRad);
         return new World(List.of(new MovingObject(1, new Disc(bobRadius), motion, dark(options, 1))),
                 duration(options, 2 * motion.periodS()));
+    }
+
+    /** The pendulum's path; what turns with the path there keeps its angle here. */
+    static World swingingBall(SimulationOptions options) {
+        return notTurning(pendulum(options));
+    }
+
+    private static World notTurning(World world) {
+        return new World(world.objects().stream().map(object -> new MovingObject(object.id(), object.shape(),
+                new Motion.NotTurning(object.motion()), object.light())).toList(), world.durationS());
     }
 
     static World shortBar(SimulationOptions options) {
@@ -195,7 +206,14 @@ final class Scenes {
     }
 
     static World threeWandering(SimulationOptions options) {
-        double k = options.scale();
+        return wandering(options, i -> new Capsule((36 - 4 * i) * options.scale(), (12 - i) * options.scale()));
+    }
+
+    static World wanderingDiscs(SimulationOptions options) {
+        return notTurning(wandering(options, i -> new Disc((12 - i) * options.scale())));
+    }
+
+    private static World wandering(SimulationOptions options, IntFunction<Shape> shapes) {
         double[] contrasts = {1, 1.3, 0.8};
         double speed = speed(options, PAPER_SPEED_PX_PER_S);
         double durationS = duration(options, 6);
@@ -203,13 +221,13 @@ final class Scenes {
         Random random = new Random(options.seed());
         List<MovingObject> objects = new ArrayList<>();
         for (int i = 0; i < 3; i++) {
-            double length = (36 - 4 * i) * k;
+            Shape shape = shapes.apply(i);
             Heading heading = new Heading(options.directionDeg() + 120 * i);
-            double inset = BORDER_PX + length / 2;
+            double inset = BORDER_PX + shape.radius();
             Motion motion = new Wander(centreX(options) + heading.x(0, apart), centreY(options) + heading.y(0, apart),
                     heading.angleRad, centreX(options), centreY(options), Math.max(1, centreX(options) - inset),
                     Math.max(1, centreY(options) - inset), speed, durationS, new Random(random.nextLong()));
-            objects.add(new MovingObject(i + 1, new Capsule(length, (12 - i) * k), motion,
+            objects.add(new MovingObject(i + 1, shape, motion,
                     dark(options, contrasts[i])));
         }
         return new World(objects, durationS);

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -33,7 +34,57 @@ public class ExperimentsCommandTest {
 
     @Test
     public void needsAFolderForResults() {
-        assertUsage("Missing required option: '--out=DIR'", "experiments");
+        assertUsage("Missing required option: '--out=DIR', or for tables --random, --scenes or --recordings",
+            "experiments");
+    }
+
+    @Test
+    public void printsATableOfRandomScenes() {
+        Executed one = Executed.command("experiments", "--random", "2", "--from-seed", "2", "--jobs", "1");
+        assertEquals(one.err, 0, one.exitCode);
+        List<String> lines = one.out.lines().toList();
+        assertEquals(List.of("scene", "objects", "events", "IoU", "parts", "rEE,%", "flow,%", "fast,%", "noise,%",
+            "ns/event"), List.of(lines.get(0).split(" +")));
+        assertTrue(one.out, lines.get(1).startsWith("random:2  "));
+        assertTrue(one.out, lines.get(2).startsWith("random:3  "));
+        assertTrue(one.out, lines.get(3).startsWith("mean  "));
+        Executed two = Executed.command("experiments", "--random", "2", "--from-seed", "2", "--jobs", "2");
+        assertEquals("but for the times the same however many at a time", withoutTimes(one.out),
+            withoutTimes(two.out));
+    }
+
+    private static List<String> withoutTimes(String table) {
+        return table.lines().map(line -> line.replaceAll(" +\\S+$", "")).toList();
+    }
+
+    @Test
+    public void tablesTakeTheMethodAndItsParameters() {
+        Executed planes = Executed.command("experiments", "--random", "1", "--from-seed", "3", "--method",
+            "local-planes");
+        assertEquals(planes.err, 0, planes.exitCode);
+        assertUsage("--preset is of --method sofas, not of local-planes", "experiments", "--random", "1", "--method",
+            "local-planes", "--preset", "paper");
+        assertUsage("--random must be at least 1 but was 0", "experiments", "--random", "0");
+    }
+
+    @Test
+    public void tablesOfRecordingsKeepTheBestSingleTranslations() throws IOException {
+        Path recordings = Files.createDirectories(out);
+        Files.copy(Path.of("recordings", "hexagon.aedat"), recordings.resolve("hexagon.aedat"));
+        Files.writeString(recordings.resolve("notes.md"), "no recording");
+        Path translations = folder.getRoot().toPath().resolve("translations.csv");
+        Executed first = Executed.command("experiments", "--recordings", recordings.toString(), "--translations",
+            translations.toString());
+        assertEquals("the notes cannot be read", 1, first.exitCode);
+        assertTrue(first.err, first.err.startsWith("[notes.md] "));
+        assertTrue(first.out, first.out.contains("\nhexagon.aedat  "));
+        String found = Files.readString(translations);
+        assertTrue(found, found.startsWith("recording,from_us,until_us,events,vx_px_per_s,vy_px_per_s\n"
+            + "hexagon.aedat,"));
+        Executed again = Executed.command("experiments", "--recordings", recordings.toString(), "--translations",
+            translations.toString());
+        assertEquals(withoutTimes(first.out), withoutTimes(again.out));
+        assertEquals(found, Files.readString(translations));
     }
 
     @Test

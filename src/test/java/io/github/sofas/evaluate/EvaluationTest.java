@@ -72,6 +72,18 @@ public class EvaluationTest {
     }
 
     @Test
+    public void aRunawayIsFasterThanTwiceTheFastestTrueSpeedOfAnyObject() {
+        // Objects at 10 and 50 px/s: more than 100 px/s is a runaway, also of the slow one; noise does not count.
+        GroundTruth truth = new GroundTruth(new long[] {0, 1, 2, 3}, new float[] {10, 50, 10, 0}, new float[4],
+                new int[] {1, 2, 1, 0});
+        FlowEstimate estimate = FlowEstimate.of(new float[] {100, 101, 150, 900}, new float[4], new int[] {1, 1, 1, 1});
+        Evaluation evaluation = Evaluation.of(truth, estimate, ALL);
+        assertEquals(2, evaluation.flow().runaways());
+        assertEquals(2.0 / 3, evaluation.flow().runawayShare(), 1e-12);
+        assertEquals(1, evaluation.flowByObject().get(0).runaways());
+    }
+
+    @Test
     public void takesNoAngleFromAnEstimateOfZeroNorFromATruthThatStandsStill() {
         GroundTruth truth = new GroundTruth(new long[] {0, 1}, new float[] {50, 0.5f}, new float[2], new int[] {1, 1});
         FlowEstimate estimate = FlowEstimate.of(new float[] {0, 30.5f}, new float[2], new int[] {1, 1});

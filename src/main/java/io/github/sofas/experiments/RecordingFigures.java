@@ -1,0 +1,60 @@
+package io.github.sofas.experiments;
+
+import io.github.sofas.evaluate.KnownTranslations;
+import io.github.sofas.evaluate.Sharpness;
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.recording.RecordingOptions;
+import io.github.sofas.recording.RecordingReader;
+import io.github.sofas.recording.Recordings;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Function;
+
+/**
+ * What a method did on a recording of a real camera, which has no truth.
+ *
+ * @param name file name
+ * @param sharpness how sharp the flow makes its picture
+ * @param segments how many segments hold at least a hundredth of the events with flow
+ * @param nsPerEvent processor time of the method for each event
+ */
+record RecordingFigures(String name, Sharpness sharpness, long segments, double nsPerEvent) {
+    private static final int BATCH = 4096;
+    private static final double LEAST_SHARE = 0.01;
+
+    /**
+     * Reads, labels and measures a recording.
+     *
+     * @param chip the sensor's name, null where the recording has it
+     * @throws EventSourceException where it cannot be read to its end
+     */
+    static RecordingFigures of(Path file, String chip, Function<SensorSize, EventLabeller> maker,
+                               KnownTranslations known) throws EventSourceException {
+        String name = file.getFileName().toString();
+        try (RecordingReader reader = Recordings.open(file, RecordingOptions.defaults().withChip(chip))) {
+            CpuTime method = new CpuTime(maker.apply(reader.sensor()));
+            Sharpness.Gatherer gatherer = new Sharpness.Gatherer(reader.sensor(), known, name);
+            EventBatch batch = new EventBatch(BATCH);
+            FlowOutput output = new FlowOutput(BATCH);
+            Map<Integer, Long> eventsBySegment = new HashMap<>();
+            while (reader.next(batch)) {
+                method.process(batch, output);
+                gatherer.add(batch, output);
+                for (int i = 0; i < batch.size(); i++) {
+                    if (output.segment[i] != 0) {
+                        eventsBySegment.merge(output.segment[i], 1L, Long::sum);
+                    }
+                }
+            }
+            Sharpness sharpness = gatherer.sharpness();
+            long segments = eventsBySegment.values().stream()
+                .filter(events -> events >= LEAST_SHARE * sharpness.eventsWithFlow()).count();
+            return new RecordingFigures(name, sharpness, segments, method.nsPerEvent());
+        }
+    }
+}

@@ -1,0 +1,113 @@
+package io.github.sofas.experiments;
+
+import io.github.sofas.evaluate.Evaluation;
+import io.github.sofas.evaluate.EvaluationOptions;
+import io.github.sofas.evaluate.FlowFigures;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.SimulatedRecording;
+import io.github.sofas.simulate.SimulationOptions;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * What a method did in one scene, in the figures by which scenes are compared.
+ *
+ * @param name of the scene
+ * @param objects how many it has
+ * @param evaluation all figures
+ * @param nsPerEvent processor time of the method for each event
+ */
+record SceneFigures(String name, int objects, Evaluation evaluation, double nsPerEvent) {
+    /** A figure by which scenes are compared. */
+    enum Column {
+        /** Mean intersection over union. */
+        IOU("IoU", 3, true, scene -> scene.evaluation.segmentation().meanIou()),
+        /** Parts an object. */
+        PARTS("parts", 2, false, scene -> scene.evaluation.segmentation().partsPerObject()),
+        /** Mean relative endpoint error in %; 100 where no event has flow. */
+        ERROR("rEE,%", 1, false, scene -> scene.evaluation.flow().eventsWithFlow() == 0 ? 100
+            : scene.evaluation.flow().relativeEndpointErrorPercent().mean()),
+        /** Share of the object events with flow in %. */
+        COVERAGE("flow,%", 1, true, scene -> 100 * scene.evaluation.flow().shareWithFlow()),
+        /** Share of them that are faster than anything true in %. */
+        RUNAWAYS("fast,%", 2, false, scene -> 100 * scene.evaluation.flow().runawayShare()),
+        /** Share of the noise events with flow in %. */
+        NOISE("noise,%", 1, false, scene -> 100 * scene.evaluation.noiseShareWithFlow()),
+        /** Processor time of the method for each event. */
+        TIME("ns/event", 0, false, scene -> scene.nsPerEvent);
+
+        private final String title;
+        private final int decimals;
+        private final boolean moreIsBetter;
+        private final ToDoubleFunction<SceneFigures> value;
+
+        Column(String title, int decimals, boolean moreIsBetter, ToDoubleFunction<SceneFigures> value) {
+            this.title = title;
+            this.decimals = decimals;
+            this.moreIsBetter = moreIsBetter;
+            this.value = value;
+        }
+
+        String title() {
+            return title;
+        }
+
+        double of(SceneFigures scene) {
+            return value.applyAsDouble(scene);
+        }
+
+        String text(double figure) {
+            return String.format(Locale.ROOT, "%." + decimals + "f", figure);
+        }
+
+        /** Mean over scenes. */
+        double mean(List<SceneFigures> scenes) {
+            return scenes.stream().mapToDouble(this::of).average().orElse(0);
+        }
+
+        /** What a tenth of the scenes is no better than. */
+        double worstTenth(List<SceneFigures> scenes) {
+            double[] sorted = worstFirst(scenes);
+            return sorted[Math.max(0, (int) Math.ceil(0.1 * sorted.length) - 1)];
+        }
+
+        double worst(List<SceneFigures> scenes) {
+            return worstFirst(scenes)[0];
+        }
+
+        private double[] worstFirst(List<SceneFigures> scenes) {
+            double sign = moreIsBetter ? 1 : -1;
+            double[] sorted = scenes.stream().mapToDouble(scene -> sign * of(scene)).sorted().toArray();
+            return Arrays.stream(sorted).map(figure -> sign * figure).toArray();
+        }
+    }
+
+    /** Films a scene and lets a method label it. */
+    static SceneFigures of(String name, Scene scene, SimulationOptions options,
+                           Function<SensorSize, EventLabeller> maker) {
+        return of(name, SimulatedRecording.of(scene, options), maker);
+    }
+
+    static SceneFigures of(String name, SimulatedRecording film, Function<SensorSize, EventLabeller> maker) {
+        CpuTime method = new CpuTime(maker.apply(film.sensor()));
+        Evaluation evaluation = Evaluation.of(film, method, EvaluationOptions.defaults());
+        return new SceneFigures(name, film.objects(), evaluation, method.nsPerEvent());
+    }
+
+    /** Those with the smallest intersection over union first. */
+    static List<SceneFigures> worstFirst(List<SceneFigures> scenes) {
+        return scenes.stream().sorted(Comparator.comparingDouble(Column.IOU::of)).toList();
+    }
+
+    /** Whether the figure means something: a scene of nothing but noise has no object. */
+    boolean has(Column column) {
+        FlowFigures flow = evaluation.flow();
+        return column == Column.NOISE || column == Column.TIME || flow.events() > 0;
+    }
+}

@@ -1,0 +1,34 @@
+package io.github.sofas.experiments;
+
+import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.SimulationOptions;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A scene that is not random, of the tables for development: textured scenes at several speeds, then those of the
+ * experiments, then what the experiments leave out.
+ *
+ * @param name in the table
+ * @param scene what is filmed
+ * @param options how
+ */
+record TableScene(String name, Scene scene, SimulationOptions options) {
+    private static final SimulationOptions PLAIN = SimulationOptions.defaults();
+
+    static List<TableScene> all() {
+        List<TableScene> all = new ArrayList<>();
+        for (double speed : new double[] {60, 240, 1200}) {
+            all.add(new TableScene(Scene.TEXTURED_PAN.sceneName() + "-" + (int) speed, Scene.TEXTURED_PAN,
+                PLAIN.withSpeedPxPerS(speed)));
+        }
+        Stream.of(Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND, Scene.COMING_NEAR,
+                Scene.TEXTURED_MOVERS, Scene.FLICKER)
+            .forEach(scene -> all.add(new TableScene(scene.sceneName(), scene, PLAIN)));
+        Setting.ALL.forEach(setting -> all.add(new TableScene(setting.id(), setting.scene(), setting.options())));
+        Stream.of(Scene.SWINGING_BALL, Scene.WANDERING_DISCS, Scene.SIXTEEN)
+            .forEach(scene -> all.add(new TableScene(scene.sceneName(), scene, PLAIN)));
+        return all;
+    }
+}
