@@ -26,8 +26,8 @@ import picocli.CommandLine.Spec;
 @Command(name = "experiments", sortOptions = false, customSynopsis = {"sofas experiments --out DIR [OPTION]...",
         "       sofas experiments [--random N] [--scenes] [--recordings DIR] [OPTION]..."},
     description = {"Run the paper's experiments on simulated scenes: both presets, Lucas-Kanade and local planes.",
-        "Writes experiments.html, which needs no network, and figures.csv, goals.csv, histograms.csv, curves.csv and "
-        + "metric-maps.csv. It takes a few minutes.",
+        "Writes experiments.html, which needs no network, method.png, figures.csv, goals.csv, histograms.csv, "
+        + "curves.csv and metric-maps.csv. It takes a few minutes.",
         "Without --out, prints tables of one method, a line a scene or recording: IoU, parts an object, relative "
         + "endpoint error, events with flow, events faster than twice the fastest true one, noise with flow; and of "
         + "recordings sharpness, that of the best single translation, gain, segments that hold 1 %% of the flow."},

@@ -113,23 +113,7 @@ final class Charts {
 
     /** A map of metrics, darker where higher as in the paper, with the two axes' velocities. */
     static Picture of(MetricMap map, String title, int side) {
-        BufferedImage cells = new BufferedImage(map.n(), map.n(), BufferedImage.TYPE_INT_RGB);
-        long least = Long.MAX_VALUE;
-        long most = Long.MIN_VALUE;
-        for (long[] row : map.metrics()) {
-            for (long metric : row) {
-                least = Math.min(least, metric);
-                most = Math.max(most, metric);
-            }
-        }
-        for (int row = 0; row < map.n(); row++) {
-            for (int column = 0; column < map.n(); column++) {
-                double share = (double) (map.metrics()[row][column] - least) / Math.max(1, most - least);
-                // the square root brings out the ridges, which are far below the peak
-                int grey = (int) Math.round(255 * (1 - Math.sqrt(share)));
-                cells.setRGB(column, row, grey << 16 | grey << 8 | grey);
-            }
-        }
+        BufferedImage cells = cells(map);
         int margin = 46;
         int all = side + margin + 12;
         byte[][] images = new byte[Theme.values().length][];
@@ -157,6 +141,28 @@ final class Charts {
             images[theme.ordinal()] = png(image);
         }
         return new Picture(images[0], images[1], all, all, title);
+    }
+
+    /** A pixel per projection, darker where the metric is higher. */
+    static BufferedImage cells(MetricMap map) {
+        BufferedImage cells = new BufferedImage(map.n(), map.n(), BufferedImage.TYPE_INT_RGB);
+        long least = Long.MAX_VALUE;
+        long most = Long.MIN_VALUE;
+        for (long[] row : map.metrics()) {
+            for (long metric : row) {
+                least = Math.min(least, metric);
+                most = Math.max(most, metric);
+            }
+        }
+        for (int row = 0; row < map.n(); row++) {
+            for (int column = 0; column < map.n(); column++) {
+                double share = (double) (map.metrics()[row][column] - least) / Math.max(1, most - least);
+                // the square root brings out the ridges, which are far below the peak
+                int grey = (int) Math.round(255 * (1 - Math.sqrt(share)));
+                cells.setRGB(column, row, grey << 16 | grey << 8 | grey);
+            }
+        }
+        return cells;
     }
 
     /** Two images of one thing, drawn as they are. */

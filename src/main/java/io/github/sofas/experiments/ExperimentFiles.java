@@ -13,6 +13,8 @@ import java.util.Locale;
 public enum ExperimentFiles {
     /** The page, which needs no other file and no network. */
     REPORT("experiments.html"),
+    /** The method in four pictures. */
+    METHOD("method.png"),
     /** Every figure of every method in every setting. */
     FIGURES("figures.csv"),
     /** What the default preset should reach, and does. */
@@ -44,6 +46,9 @@ public enum ExperimentFiles {
     public void write(Experiments experiments, String version, OutputStream out) throws IOException {
         String text;
         switch (this) {
+            case METHOD:
+                out.write(experiments.methodPicture().light());
+                return;
             case REPORT:
                 text = new ExperimentReport(experiments, version).page();
                 break;

@@ -310,6 +310,7 @@ final class ExperimentReport {
         return List.of(
             paper("The metric of a projection, the sum of its squared cells, is greatest at the true velocity; with "
                 + "two structures there are two maxima."),
+            figure(picture(experiments.methodPicture())),
             div(figure(picture(Charts.of(one, "Metrics of one object", MAP_SIDE)),
                     figcaption(format("%d x %d projections of %,d events of the hexagon, which moves at (58, 0) px/s. "
                         + "Greatest at %s.", one.n(), one.n(), one.events(), maxima(one, one.n() / 10, 1)))),

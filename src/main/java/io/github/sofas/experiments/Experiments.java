@@ -36,6 +36,7 @@ public final class Experiments {
     private final int jobs;
     private MetricMap oneObject;
     private MetricMap twoObjects;
+    private Picture methodPicture;
     private double seconds;
 
     private Experiments(int jobs) {
@@ -78,6 +79,8 @@ public final class Experiments {
             experiments.takeReal(real);
             experiments.oneObject = result(one);
             experiments.twoObjects = result(two);
+            experiments.methodPicture = MethodPicture.of(films.get(Setting.TWO_OPPOSITE), MAP_FROM_US, MAP_UNTIL_US,
+                experiments.twoObjects);
             experiments.seconds = (System.nanoTime() - start) * 1e-9;
             return experiments;
         } finally {
@@ -200,6 +203,11 @@ public final class Experiments {
     /** Metrics of two opposite movers, 20 x 20 projections. */
     MetricMap twoObjects() {
         return twoObjects;
+    }
+
+    /** The method at work on two opposite movers. */
+    Picture methodPicture() {
+        return methodPicture;
     }
 
     /** What came of the recordings of real cameras that were found. */

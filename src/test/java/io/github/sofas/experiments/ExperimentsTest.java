@@ -6,6 +6,8 @@ import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.Skipped;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -17,6 +19,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
 import org.junit.BeforeClass;
 import org.junit.ClassRule;
 import org.junit.Test;
@@ -93,6 +96,16 @@ public class ExperimentsTest {
         String page = written(ExperimentFiles.REPORT);
         assertTrue(page.contains("Not found, and left out: boxes-translation.aedat, stripes.aedat"));
         assertTrue(page.contains("[cars.aedat] "));
+    }
+
+    /** Two panels of 480 x 360 px side by side, two rows of them, each with its title. */
+    @Test
+    public void methodIsPictured() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ExperimentFiles.METHOD.write(experiments, "1.2.3", bytes);
+        BufferedImage picture = ImageIO.read(new ByteArrayInputStream(bytes.toByteArray()));
+        assertEquals(3 * 16 + 2 * 480, picture.getWidth());
+        assertEquals(16 + 2 * (44 + 360 + 16), picture.getHeight());
     }
 
     @Test
