@@ -8,9 +8,13 @@ import java.io.StringWriter;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
@@ -19,7 +23,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Holds the README to the code. */
+/** Holds the README and the pages beside it to the code and to each other. */
 public class ReadmeTest {
     @Rule
     public final TemporaryFolder classes = new TemporaryFolder();
@@ -42,11 +46,35 @@ public class ReadmeTest {
     }
 
     @Test
-    public void everyFileItLinksToExists() throws IOException {
-        Matcher link = Pattern.compile("\\]\\((?!https?:)([^)#]+)").matcher(Files.readString(Path.of("README.md")));
-        while (link.find()) {
-            assertTrue(link.group(1), Files.exists(Path.of(link.group(1))));
+    public void everyFileThatThePagesLinkToExists() throws IOException {
+        for (Path page : pages()) {
+            Matcher link = Pattern.compile("\\]\\((?!https?:)([^)#]+)").matcher(Files.readString(page));
+            while (link.find()) {
+                assertTrue(page + ": " + link.group(1), Files.exists(page.resolveSibling(link.group(1)).normalize()));
+            }
         }
+    }
+
+    /** A page that no other links to is not found. */
+    @Test
+    public void everyPageIsLinkedTo() throws IOException {
+        Set<Path> linked = new HashSet<>(List.of(Path.of("README.md")));
+        for (Path page : pages()) {
+            Matcher link = Pattern.compile("\\]\\(([^)#:]+\\.md)").matcher(Files.readString(page));
+            while (link.find()) {
+                linked.add(page.resolveSibling(link.group(1)).normalize());
+            }
+        }
+        assertEquals(Set.copyOf(pages()), linked);
+    }
+
+    private static List<Path> pages() throws IOException {
+        List<Path> pages = new ArrayList<>(List.of(Path.of("README.md"), Path.of("CONTRIBUTING.md"),
+            Path.of("CHANGELOG.md"), Path.of("DEPENDENCIES.md"), Path.of("plugins/jaer/README.md")));
+        try (Stream<Path> docs = Files.list(Path.of("docs"))) {
+            docs.filter(page -> page.toString().endsWith(".md")).forEach(pages::add);
+        }
+        return pages;
     }
 
     private String faults(String program) {

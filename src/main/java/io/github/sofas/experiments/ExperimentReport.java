@@ -414,8 +414,8 @@ final class ExperimentReport {
                 term("first labelled", "time and travel from an object's first event until its events get flow, the "
                     + "longest of all objects.")),
             p(text("Relative figures leave out events slower than 1 px/s. "), code("./sofas evaluate"),
-                text(" gives these figures and more for any recording with truth; the README and the "
-                    + "package io.github.sofas.evaluate hold all definitions and how they follow jAER's.")));
+                text(" gives these figures and more for any recording with truth; docs/accuracy.md and "
+                    + "the package io.github.sofas.evaluate hold all definitions and how they follow jAER's.")));
     }
 
     private static DomContent term(String name, String meaning) {
