@@ -43,6 +43,7 @@ public class StartScriptsTest {
         Files.createDirectories(project.resolve("gradle"));
         Files.createDirectories(project.resolve("src/main"));
         Files.createDirectories(project.resolve("plugins/jaer/src/main"));
+        Files.createDirectories(project.resolve("plugins/jaer/src/generator"));
         for (String name : List.of("gradlew", "sofas", "gradle/jdk.sh", "build.gradle", "settings.gradle",
             "gradle.properties", "plugins/jaer/build.gradle")) {
             Files.copy(Path.of(name), project.resolve(name));
