@@ -14,7 +14,8 @@ import java.io.OutputStream;
  */
 public final class FlowCsvWriter implements AutoCloseable {
     /** The first line, without its end. */
-    public static final String HEADER = "t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,segment";
+    public static final String HEADER = EventCsvReader.EVENT_COLUMNS + FlowCsvWriter.ID_COLUMN;
+    static final String ID_COLUMN = "segment";
 
     /** No row is longer: time 20, x and y 6 each, polarity 4, velocities 17 each, segment 11, seven separators. */
     private static final int ROW_LIMIT = 96;

@@ -111,7 +111,8 @@ public class TruthCsvReaderTest {
 
     @Test
     public void refusesWhatIsNoNumber() {
-        assertRefuses("line 2: x must be a whole number but was \"3.5\"", TruthCsvReader.HEADER, "100,3.5,4,1,5,0,1");
+        assertRefuses("line 2: x must be a whole number from 0 to 32767 but was \"3.5\"",
+                TruthCsvReader.HEADER, "100,3.5,4,1,5,0,1");
     }
 
     @Test
@@ -128,7 +129,7 @@ public class TruthCsvReaderTest {
 
     @Test
     public void refusesANegativeObject() {
-        assertRefuses("line 2: object must be between 0 and 2147483647 but was -1",
+        assertRefuses("line 2: object must be a whole number from 0 to 2147483647 but was \"-1\"",
                 TruthCsvReader.HEADER, "100,3,4,1,5,0,-1");
     }
 }

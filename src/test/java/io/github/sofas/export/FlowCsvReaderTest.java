@@ -64,19 +64,19 @@ public class FlowCsvReaderTest {
         try (FlowCsvReader reader = FlowCsvReader.open(file(HEADER + "10,1,2,1,,,0\n20,x,2,1,,,0\n"))) {
             assertTrue(reader.next(batch, new FlowOutput(8)));
             assertEquals("[10]", Arrays.toString(Arrays.copyOf(batch.timeUs, batch.size())));
-            assertEquals("[a.flow.csv] line 3: x must be a number followed by a comma but was not",
+            assertEquals("[a.flow.csv] line 3: x must be a whole number from 0 to 32767 but was \"x\"",
                 assertThrows(EventSourceException.class, () -> reader.next(batch, new FlowOutput(8))).getMessage());
         }
     }
 
     @Test
     public void refusesWhatTheWriterNeverWrites() throws IOException {
-        assertEquals("[a.flow.csv] line 2: x must be a whole number from 0 to 32767 but was not",
+        assertEquals("[a.flow.csv] line 2: x must be a whole number from 0 to 32767 but was \"-1\"",
             damage("10,-1,2,1,,,0\n"));
-        assertEquals("[a.flow.csv] line 2: y must be a whole number from 0 to 32767 but was not",
+        assertEquals("[a.flow.csv] line 2: y must be a whole number from 0 to 32767 but was \"32768\"",
             damage("10,1,32768,1,,,0\n"));
-        assertEquals("[a.flow.csv] line 2: polarity must be 1 or -1 but was not", damage("10,1,2,0,,,0\n"));
-        assertEquals("[a.flow.csv] line 2: segment must be a whole number from 0 to 2147483647 but was not",
+        assertEquals("[a.flow.csv] line 2: polarity must be 1 or -1 but was \"0\"", damage("10,1,2,0,,,0\n"));
+        assertEquals("[a.flow.csv] line 2: segment must be a whole number from 0 to 2147483647 but was \"-3\"",
             damage("10,1,2,1,,,-3\n"));
     }
 
@@ -94,7 +94,7 @@ public class FlowCsvReaderTest {
     @Test
     public void lineWithoutItsEndIsDamage() throws IOException, EventSourceException {
         try (FlowCsvReader reader = FlowCsvReader.open(file(HEADER + "10,1,2,1,,,0"))) {
-            assertEquals("[a.flow.csv] line 2: segment must be a number followed by the line's end but was not",
+            assertEquals("[a.flow.csv] line 2: must end with a new line but was \"10,1,2,1,,,0\"",
                 assertThrows(EventSourceException.class, () -> reader.next(new EventBatch(8), new FlowOutput(8)))
                     .getMessage());
         }

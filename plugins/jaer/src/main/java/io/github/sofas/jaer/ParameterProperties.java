@@ -11,8 +11,8 @@ import net.sf.jaer.chip.AEChip;
 
 /**
  * The parameters of {@link SofasParameters} as properties that jAER finds by their getters and setters, shows, and
- * keeps in its preferences; here what all have in common, while the getters and setters are generated. Setters may be called by any thread; a value outside its
- * bounds is moved into them, with a line in the log.
+ * keeps in its preferences; here what all have in common, while the getters and setters are generated. Setters may be
+ * called by any thread; a value outside its bounds is moved into them, with a line in the log.
  */
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
 public abstract class ParameterProperties extends AbstractMotionFlowIMU {

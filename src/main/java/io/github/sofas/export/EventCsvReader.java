@@ -1,0 +1,326 @@
+package io.github.sofas.export;
+
+import io.github.sofas.event.EventSourceException;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * Reads the lines that files of flow and of truth have in common: an event, its velocity, and whose it is, as a number
+ * whose meaning the last column's name gives. Holds one buffer.
+ */
+public final class EventCsvReader implements Closeable {
+    /** What the first line begins with; the last column follows. */
+    public static final String EVENT_COLUMNS = "t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,";
+    private static final int TIME = 0;
+    private static final int X = 1;
+    private static final int Y = 2;
+    private static final int POLARITY = 3;
+    private static final int VX = 4;
+    private static final int VY = 5;
+    private static final int ID = 6;
+    /** What is no text has no lines, and shall take no memory. */
+    private static final int MOST_CHARACTERS = 1000;
+    private static final int BUFFER = 1 << 16;
+    private static final int MOST_DIGITS = 18;
+    private static final double[] POWERS = new double[MOST_DIGITS + 1];
+    /** Times up to here are exact as floating-point numbers; they are 285 years. */
+    private static final long MOST_US = 1L << 53;
+
+    static {
+        POWERS[0] = 1;
+        for (int i = 1; i < POWERS.length; i++) {
+            POWERS[i] = POWERS[i - 1] * 10;
+        }
+    }
+
+    private final String name;
+    private final String header;
+    private final String[] columns;
+    private final InputStream in;
+    private final byte[] buffer = new byte[BUFFER];
+    private int position;
+    private int limit;
+    private long line;
+    // of the line read last: where it begins and ends, and where each field does
+    private int start;
+    private int end;
+    private boolean ended;
+    private final int[] from = new int[ID + 2];
+
+    private long timeUs;
+    private int x;
+    private int y;
+    private int polarity;
+    private float vxPxPerS;
+    private float vyPxPerS;
+    private int id;
+
+    private EventCsvReader(Path file, String idColumn, InputStream in) {
+        name = String.valueOf(file.getFileName());
+        header = EVENT_COLUMNS + idColumn;
+        columns = header.split(",");
+        this.in = in;
+    }
+
+    /**
+     * Opens a file and checks its first line.
+     *
+     * @param idColumn name of the last column
+     * @throws EventSourceException where that line is another
+     * @throws IOException where it cannot be read
+     */
+    public static EventCsvReader open(Path file, String idColumn) throws EventSourceException, IOException {
+        EventCsvReader reader = new EventCsvReader(file, idColumn, Files.newInputStream(file));
+        try {
+            boolean empty = !reader.readLine();
+            if (empty || !reader.header.equals(reader.text(reader.start, reader.end))) {
+                throw reader.wrong("must be \"" + reader.header + "\" but "
+                    + (empty ? "the file is empty" : "was " + reader.quotedLine()));
+            }
+            return reader;
+        } catch (EventSourceException | IOException e) {
+            reader.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Reads the next line.
+     *
+     * @return false at the end
+     * @throws EventSourceException where the line is malformed
+     * @throws IOException where the file cannot be read
+     */
+    public boolean next() throws EventSourceException, IOException {
+        if (!readLine()) {
+            return false;
+        }
+        split();
+        timeUs = whole(TIME, -MOST_US, MOST_US);
+        x = (int) whole(X, 0, Short.MAX_VALUE);
+        y = (int) whole(Y, 0, Short.MAX_VALUE);
+        polarity = (int) whole(POLARITY, -1, 1);
+        if (polarity == 0) {
+            throw mustBe(POLARITY, "1 or -1");
+        }
+        vxPxPerS = number(VX);
+        vyPxPerS = number(VY);
+        id = (int) whole(ID, 0, Integer.MAX_VALUE);
+        return true;
+    }
+
+    /** Time of the event in µs. */
+    public long timeUs() {
+        return timeUs;
+    }
+
+    /** Column of the event. */
+    public int x() {
+        return x;
+    }
+
+    /** Row of the event. */
+    public int y() {
+        return y;
+    }
+
+    /** Polarity of the event, 1 or -1. */
+    public int polarity() {
+        return polarity;
+    }
+
+    /** Velocity to the right in px/s; 0 where the field is empty. */
+    public float vxPxPerS() {
+        return vxPxPerS;
+    }
+
+    /** Velocity downwards in px/s; 0 where the field is empty. */
+    public float vyPxPerS() {
+        return vyPxPerS;
+    }
+
+    /** Number in the last column, at least 0. */
+    public int id() {
+        return id;
+    }
+
+    /**
+     * Checks that the event has a velocity.
+     *
+     * @throws EventSourceException where a field is empty
+     */
+    public void requireVelocity() throws EventSourceException {
+        for (int column = VX; column <= VY; column++) {
+            if (length(column) == 0) {
+                throw mustBe(column, "a finite number");
+            }
+        }
+    }
+
+    /**
+     * Checks that the line read last has its end: the last line of a file that was cut off has none.
+     *
+     * @throws EventSourceException where it has none
+     */
+    public void requireLineEnd() throws EventSourceException {
+        if (!ended) {
+            throw wrong("must end with a new line but was " + quotedLine());
+        }
+    }
+
+    /** What is wrong with the line that was read last, or that is missing. */
+    public EventSourceException wrong(String what) {
+        return new EventSourceException("[" + name + "] line " + line + ": " + what);
+    }
+
+    /** The line that was read last; long or binary text is cut so that a message stays one line of a terminal. */
+    public String quotedLine() {
+        return quoted(start, end);
+    }
+
+    private String quoted(int first, int after) {
+        String printable = text(first, after).replaceAll("[^ -~]", "?");
+        return '"' + (printable.length() > 100 ? printable.substring(0, 100) + "..." : printable) + '"';
+    }
+
+    /** Every byte is a character, so that a binary file is refused for its first line, not for its encoding. */
+    private String text(int first, int after) {
+        return new String(buffer, first, after - first, StandardCharsets.ISO_8859_1);
+    }
+
+    private boolean readLine() throws EventSourceException, IOException {
+        line++;
+        int at = position;
+        while (true) {
+            while (at < limit && buffer[at] != '\n' && at - position <= MOST_CHARACTERS) {
+                at++;
+            }
+            start = position;
+            end = at;
+            ended = at < limit && buffer[at] == '\n';
+            if (at - position > MOST_CHARACTERS) {
+                throw wrong("must have at most " + MOST_CHARACTERS + " characters but begins with " + quotedLine());
+            }
+            if (ended || !fill()) {
+                break;
+            }
+            at -= start;
+        }
+        position = ended ? end + 1 : end;
+        if (end > start && buffer[end - 1] == '\r') {
+            end--;
+        }
+        return ended || position > start;
+    }
+
+    /** Moves what is left to the front and reads on; false at the end of the file. */
+    private boolean fill() throws IOException {
+        System.arraycopy(buffer, position, buffer, 0, limit - position);
+        limit -= position;
+        position = 0;
+        int more = in.read(buffer, limit, buffer.length - limit);
+        limit += Math.max(0, more);
+        return more > 0;
+    }
+
+    private void split() throws EventSourceException {
+        int count = 0;
+        from[count++] = start;
+        for (int i = start; i < end; i++) {
+            if (buffer[i] == ',') {
+                if (count > ID) {
+                    count++;
+                    break;
+                }
+                from[count++] = i + 1;
+            }
+        }
+        if (count != columns.length) {
+            throw wrong("must have " + columns.length + " fields, " + header + ", but was " + quotedLine());
+        }
+        from[count] = end + 1;
+    }
+
+    private int length(int column) {
+        return from[column + 1] - 1 - from[column];
+    }
+
+    private long whole(int column, long least, long most) throws EventSourceException {
+        int after = from[column + 1] - 1;
+        int i = from[column];
+        boolean negative = i < after && buffer[i] == '-';
+        i += negative ? 1 : 0;
+        long value = 0;
+        boolean valid = i < after && after - i <= MOST_DIGITS;
+        for (; valid && i < after; i++) {
+            int digit = buffer[i] - '0';
+            valid = digit >= 0 && digit <= 9;
+            value = value * 10 + digit;
+        }
+        value = negative ? -value : value;
+        if (!valid || value < least || value > most) {
+            throw mustBe(column, "a whole number from " + least + " to " + most);
+        }
+        return value;
+    }
+
+    private float number(int column) throws EventSourceException {
+        int after = from[column + 1] - 1;
+        int i = from[column];
+        boolean negative = i < after && buffer[i] == '-';
+        i += negative ? 1 : 0;
+        long value = 0;
+        int digits = 0;
+        int decimals = 0;
+        boolean point = false;
+        if (after - i > MOST_DIGITS) {
+            return unusual(column);
+        }
+        for (; i < after; i++) {
+            int digit = buffer[i] - '0';
+            if (digit >= 0 && digit <= 9) {
+                value = value * 10 + digit;
+                digits++;
+                decimals += point ? 1 : 0;
+            } else if (buffer[i] == '.' && !point) {
+                point = true;
+            } else {
+                return unusual(column);
+            }
+        }
+        if (digits == 0 && length(column) > 0) {
+            throw mustBe(column, "a finite number");
+        }
+        double magnitude = value / POWERS[decimals];
+        return (float) (negative ? -magnitude : magnitude);
+    }
+
+    /** A number with an exponent, or of many digits; not the words that the language takes for numbers. */
+    private float unusual(int column) throws EventSourceException {
+        String text = text(from[column], from[column + 1] - 1);
+        if (text.matches("[-+]?[0-9]*\\.?[0-9]*([eE][-+]?[0-9]+)?") && text.matches(".*[0-9].*")) {
+            try {
+                float value = Float.parseFloat(text);
+                if (Float.isFinite(value)) {
+                    return value;
+                }
+            } catch (NumberFormatException e) {
+                throw mustBe(column, "a finite number");
+            }
+        }
+        throw mustBe(column, "a finite number");
+    }
+
+    private EventSourceException mustBe(int column, String rule) {
+        return wrong(columns[column] + " must be " + rule + " but was " + quoted(from[column], from[column + 1] - 1));
+    }
+
+    @Override
+    public void close() throws IOException {
+        in.close();
+    }
+}
