@@ -194,21 +194,17 @@ public final class EventCsvReader implements Closeable {
 
     private boolean readLine() throws EventSourceException, IOException {
         line++;
-        int at = position;
-        while (true) {
-            while (at < limit && buffer[at] != '\n' && at - position <= MOST_CHARACTERS) {
-                at++;
+        int length = 0;
+        do {
+            while (position + length < limit && buffer[position + length] != '\n' && length <= MOST_CHARACTERS) {
+                length++;
             }
-            start = position;
-            end = at;
-            ended = at < limit && buffer[at] == '\n';
-            if (at - position > MOST_CHARACTERS) {
-                throw wrong("must have at most " + MOST_CHARACTERS + " characters but begins with " + quotedLine());
-            }
-            if (ended || !fill()) {
-                break;
-            }
-            at -= start;
+            ended = position + length < limit && buffer[position + length] == '\n';
+        } while (!ended && length <= MOST_CHARACTERS && fill());
+        start = position;
+        end = start + length;
+        if (length > MOST_CHARACTERS) {
+            throw wrong("must have at most " + MOST_CHARACTERS + " characters but begins with " + quotedLine());
         }
         position = ended ? end + 1 : end;
         if (end > start && buffer[end - 1] == '\r') {

@@ -76,6 +76,21 @@ public class EventCsvReaderTest {
                 assertEquals(i, rows.id());
             }
             assertFalse(rows.next());
+            assertFalse("asked again", rows.next());
+        }
+    }
+
+    @Test
+    public void lastLineMayLackItsEndAndIsSaidToBe() throws Exception {
+        try (EventCsvReader rows = rows("1,2,3,1,,,0\n4,5,6,1,,,0")) {
+            assertTrue(rows.next());
+            rows.requireLineEnd();
+            assertTrue(rows.next());
+            assertEquals(4, rows.timeUs());
+            assertEquals("[a.csv] line 3: must end with a new line but was \"4,5,6,1,,,0\"",
+                assertThrows(EventSourceException.class, rows::requireLineEnd).getMessage());
+            assertFalse(rows.next());
+            assertFalse("asked again", rows.next());
         }
     }
 

@@ -1,0 +1,87 @@
+package io.github.sofas.report;
+
+import static j2html.TagCreator.figcaption;
+import static j2html.TagCreator.tag;
+
+import j2html.TagCreator;
+import j2html.tags.ContainerTag;
+import j2html.tags.DomContent;
+import java.util.Locale;
+import java.util.function.IntToDoubleFunction;
+
+/** A plot of curves over the time of the recording. */
+final class TimePlot {
+    /** Ends of the axis of directions, in degrees; no other axis begins below 0. */
+    static final int HALF_TURN = 180;
+    private static final int HEIGHT = 200;
+    private static final int TOP = 8;
+
+    private final String caption;
+    private final double durationS;
+    private final double stepS;
+    private final double low;
+    private final double high;
+    private final ContainerTag<?> drawing;
+
+    /**
+     * Makes an empty plot.
+     *
+     * @param stepS time between two values of a curve
+     * @param low lower end of its axis
+     */
+    TimePlot(String title, double durationS, double stepS, double low, double high, String unit) {
+        caption = title + ", " + unit;
+        this.durationS = durationS;
+        this.stepS = stepS;
+        this.low = low;
+        this.high = high;
+        drawing = Svg.drawing("plot", "0 0 " + Svg.WIDTH + " " + HEIGHT, title)
+            .attr("data-to", durationS).attr("data-low", low).attr("data-high", high).attr("data-unit", unit);
+        for (int i = 0; i <= 4; i++) {
+            double value = low + (high - low) * i / 4;
+            drawing.with(tag("path").attr("class", "rule")
+                .attr("d", "M" + Svg.LEFT + " " + Svg.number(y(value)) + "H" + Svg.WIDTH),
+                Svg.text(Svg.LEFT - 6, y(value) + 4, "end", label(value)));
+        }
+        Svg.addTimeAxis(drawing, durationS, HEIGHT - Svg.BOTTOM);
+    }
+
+    private static String label(double value) {
+        double magnitude = Math.abs(value);
+        return magnitude >= 10_000 ? String.format(Locale.ROOT, "%.0fk", value / 1000)
+            : magnitude >= 10 || value == 0 ? String.format(Locale.ROOT, "%.0f", value)
+            : String.format(Locale.ROOT, "%.1f", value);
+    }
+
+    /** Adds a curve of values from a step on; NaN is a gap. */
+    TimePlot curve(String name, String style, int first, int count, IntToDoubleFunction value) {
+        StringBuilder d = new StringBuilder();
+        boolean pen = false;
+        double last = 0;
+        for (int i = 0; i < count; i++) {
+            double v = value.applyAsDouble(i);
+            if (Double.isNaN(v)) {
+                pen = false;
+                continue;
+            }
+            // from -180 to 180 degrees is no way
+            pen &= low != -HALF_TURN || Math.abs(v - last) <= HALF_TURN;
+            last = v;
+            // a point alone is a line of no length, which round ends make a dot
+            d.append(String.format(Locale.ROOT, pen ? "L%.1f %.1f" : "M%1$.1f %2$.1fL%1$.1f %2$.1f",
+                Svg.x((first + i + 0.5) * stepS, durationS), y(v)));
+            pen = true;
+        }
+        drawing.with(Svg.path("line " + style, d.toString(), name));
+        return this;
+    }
+
+    private double y(double value) {
+        return HEIGHT - Svg.BOTTOM - (HEIGHT - Svg.BOTTOM - TOP) * (high > low ? (value - low) / (high - low) : 0);
+    }
+
+    /** The plot with its caption. */
+    DomContent figure() {
+        return TagCreator.figure(figcaption(caption), drawing);
+    }
+}
