@@ -281,6 +281,6 @@ final class LiveCommand implements Callable<Integer> {
     private void summarise(RunSummary summary, LiveStatus status, PrintWriter err) {
         err.println(String.format(Locale.ROOT, "%s: %d events in %.2f s, %.1f %% with flow, %d %s; %s", name,
             summary.recording().events(), summary.seconds().wall(), 100 * summary.shareWithFlow(),
-            summary.segments().size(), summary.segments().size() == 1 ? "segment" : "segments", status.latency()));
+            summary.countLarge(), summary.countLarge() == 1 ? "segment" : "segments", status.latency()));
     }
 }

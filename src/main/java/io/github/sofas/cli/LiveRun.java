@@ -7,6 +7,7 @@ import io.github.sofas.export.FlowCsvWriter;
 import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.export.RunSummary;
+import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
@@ -51,6 +52,7 @@ final class LiveRun {
 
     private final List<Segment> segments = new ArrayList<>();
     private final EventLabeller labeller;
+    private final WithoutFlow withoutFlow;
     private long events;
     private long eventsWithFlow;
     private long firstTimeUs;
@@ -81,6 +83,7 @@ final class LiveRun {
         this.record = record;
         this.status = status;
         labeller = method.make(source.sensor(), segments::add);
+        withoutFlow = new WithoutFlow(source.sensor());
     }
 
     /**
@@ -181,6 +184,7 @@ final class LiveRun {
             events += batch.size();
             int withFlow = RecordingRun.countWithFlow(batch, next.flow);
             eventsWithFlow += withFlow;
+            withoutFlow.add(batch, next.flow);
             status.labelled(batch.size(), withFlow, afterEngine - source.receivedNs(), labeller);
             writer.handOn(next);
         }
@@ -199,6 +203,7 @@ final class LiveRun {
             List.of(), 0);
         RunSummary.Seconds seconds = new RunSummary.Seconds(wallS, source.decodeS(), engineNs / 1e9, outputNs / 1e9);
         return new RunSummary(Version.text(), "", read, method.method(), method.preset(), method.parameters(),
-            eventsWithFlow, segments, source.dropped(), seconds, RecordingRun.peakHeapBytes());
+            eventsWithFlow, withoutFlow.likelyReason(), segments, source.dropped(), seconds,
+            RecordingRun.peakHeapBytes());
     }
 }

@@ -7,6 +7,7 @@ import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.export.RunSummary;
 import io.github.sofas.export.SegmentsCsv;
+import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
@@ -140,8 +141,8 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
                 steps.decodeNs / 1e9, steps.engineNs / 1e9, steps.outputNs / 1e9);
             RecordingSummary read = Summaries.of(recording, reader, steps.damage);
             RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
-                method.parameters(), steps.eventsWithFlow, segments, Summaries.dropped(reader.counts()), seconds,
-                peakHeapBytes());
+                method.parameters(), steps.eventsWithFlow, steps.withoutFlow.likelyReason(), segments,
+                Summaries.dropped(reader.counts()), seconds, peakHeapBytes());
             if (report != null) {
                 try (OutputStream file = results.create(reportFile())) {
                     report.write(file, summary, reportedCommand, results.temporary(flowFile(out, name)));
@@ -164,6 +165,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         private long decodeNs;
         private long engineNs;
         private long outputNs;
+        private final WithoutFlow withoutFlow;
         private long eventsWithFlow;
         private long bytesShown;
 
@@ -172,6 +174,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             this.labeller = labeller;
             this.report = report;
             this.progress = progress;
+            withoutFlow = new WithoutFlow(reader.sensor());
         }
 
         @Override
@@ -203,6 +206,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
                 report.add(slot.events, slot.flow);
             }
             outputNs += System.nanoTime() - start;
+            withoutFlow.add(slot.events, slot.flow);
             int withFlow = countWithFlow(slot.events, slot.flow);
             eventsWithFlow += withFlow;
             progress.add(slot.bytesRead - bytesShown, slot.events.size(), withFlow);

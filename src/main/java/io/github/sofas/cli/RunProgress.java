@@ -101,11 +101,12 @@ final class RunProgress implements AutoCloseable {
     /** Shows the line of a recording that is finished. */
     synchronized void finished(String name, RunSummary summary) {
         if (!quiet) {
-            int segments = summary.segments().size();
+            long segments = summary.countLarge();
             long all = summary.recording().events();
-            say(String.format(Locale.ROOT, "%s: %d events, %s, %d %s, %.2f s", name, all,
+            String reason = summary.withoutFlow().isEmpty() ? "" : "; most found no flow: " + summary.withoutFlow();
+            say(String.format(Locale.ROOT, "%s: %d events, %s, %d %s, %.2f s%s", name, all,
                 speed(all, summary.eventsWithFlow(), summary.eventsPerSecond()), segments,
-                segments == 1 ? "segment" : "segments", summary.seconds().wall()));
+                segments == 1 ? "segment" : "segments", summary.seconds().wall(), reason));
         }
     }
 

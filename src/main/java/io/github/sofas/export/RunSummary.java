@@ -18,14 +18,18 @@ import java.util.Map;
  * @param preset name of the preset that the parameters started from; empty where the method has none
  * @param parameters every parameter by its option's name: a Number, Boolean or String each
  * @param eventsWithFlow how many of the recording's events got flow
+ * @param withoutFlow why most events found no flow, in words; empty where half of them or more have it
  * @param segments all track planes
  * @param eventsDropped how many events were not delivered, by reason
  * @param seconds where the time went
  * @param peakHeapBytes most heap that the whole program, other recordings included, had in use until now
  */
 public record RunSummary(String version, String request, RecordingSummary recording, String method, String preset,
-                         Map<String, Object> parameters, long eventsWithFlow, List<Segment> segments,
-                         Map<String, Long> eventsDropped, Seconds seconds, long peakHeapBytes) {
+                         Map<String, Object> parameters, long eventsWithFlow, String withoutFlow,
+                         List<Segment> segments, Map<String, Long> eventsDropped, Seconds seconds,
+                         long peakHeapBytes) {
+    /** Least share of the events with flow that a segment which counts holds. */
+    public static final double LEAST_SHARE = 0.01;
 
     /**
      * Where the time went, in seconds.
@@ -51,6 +55,15 @@ public record RunSummary(String version, String request, RecordingSummary record
     /** Track planes of one fate. */
     public long count(Segment.Fate fate) {
         return segments.stream().filter(segment -> segment.fate() == fate).count();
+    }
+
+    /**
+     * Track planes that hold at least a hundredth of the events with flow, with what was merged into them: as many as a
+     * person would count.
+     */
+    public long countLarge() {
+        return segments.stream().filter(segment -> segment.fate() != Segment.Fate.MERGED
+            && segment.events() > 0 && segment.events() >= LEAST_SHARE * eventsWithFlow).count();
     }
 
     /**
@@ -86,6 +99,9 @@ public record RunSummary(String version, String request, RecordingSummary record
             json.writeNumberField("events", recording.events());
             json.writeNumberField("events_with_flow", eventsWithFlow);
             Json.write(json, "share_with_flow", shareWithFlow(), 6);
+            if (!withoutFlow.isEmpty()) {
+                json.writeStringField("without_flow", withoutFlow);
+            }
             json.writeObjectFieldStart("events_dropped");
             for (Map.Entry<String, Long> dropped : eventsDropped.entrySet()) {
                 json.writeNumberField(dropped.getKey(), dropped.getValue());
@@ -93,6 +109,7 @@ public record RunSummary(String version, String request, RecordingSummary record
             json.writeEndObject();
             json.writeObjectFieldStart("segments");
             json.writeNumberField("all", segments.size());
+            json.writeNumberField("of_1_percent", countLarge());
             json.writeNumberField("alive", count(Segment.Fate.ALIVE));
             json.writeNumberField("merged", count(Segment.Fate.MERGED));
             json.writeNumberField("removed", count(Segment.Fate.REMOVED));

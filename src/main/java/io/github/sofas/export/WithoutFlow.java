@@ -1,0 +1,153 @@
+package io.github.sofas.export;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import java.util.Arrays;
+import java.util.Locale;
+
+/**
+ * Why most events of a recording found no flow, as far as the events show it. Each event without flow is asked three
+ * things; where more than half of them answer one with yes, that is the likely reason, the first of these:
+ * <ul>
+ * <li>flicker: at its pixel light rose and fell again, twice over, in equal times of less than
+ * {@value #LONGEST_FLICKER_US} µs;
+ * <li>few pixels: it comes from one of the pixels that fire most, a thousandth of the sensor;
+ * <li>noise: neither its pixel nor one of the eight around it fired within the {@value #COMPANY_US} µs before.
+ * </ul>
+ * Otherwise a recording shorter than {@value #SHORT_US} µs is too short, and any other moves too little, too seldom or
+ * too irregularly.
+ */
+public final class WithoutFlow {
+    private static final int LONGEST_FLICKER_US = 30_000;
+    private static final int SHORTEST_FLICKER_US = 500;
+    private static final int COMPANY_US = 10_000;
+    private static final long SHORT_US = 100_000;
+    private static final double MOST = 0.5;
+    private static final double EQUAL_TIMES = 0.25;
+    private static final double FEW_PIXELS = 0.001;
+    private static final int NEVER = Integer.MIN_VALUE;
+
+    private final int width;
+    private final int height;
+    /** Per pixel, times in µs from the first event as whole numbers that wrap; {@link #NEVER} where there is none. */
+    private final int[] lastUs;
+    /** Per pixel and polarity, when the newest run of events of that polarity began. */
+    private final int[] runUs;
+    /** Per pixel, time between the beginnings of the last two runs of one polarity; 0 where not known. */
+    private final int[] periodUs;
+    private final byte[] polarity;
+    private final boolean[] regular;
+    private final int[] unlabelledAt;
+    private boolean begun;
+    private long firstUs;
+    private long newestUs;
+    private long events;
+    private long unlabelled;
+    private long flickering;
+    private long alone;
+
+    /** Makes one for a recording of a sensor. */
+    public WithoutFlow(SensorSize sensor) {
+        width = sensor.width();
+        height = sensor.height();
+        int pixels = width * height;
+        lastUs = new int[pixels];
+        runUs = new int[2 * pixels];
+        periodUs = new int[pixels];
+        polarity = new byte[pixels];
+        regular = new boolean[pixels];
+        unlabelledAt = new int[pixels];
+        Arrays.fill(lastUs, NEVER);
+        Arrays.fill(runUs, NEVER);
+    }
+
+    /** Adds a labelled batch; batches come in order. */
+    public void add(EventBatch batch, FlowOutput flow) {
+        for (int i = 0; i < batch.size(); i++) {
+            if (!begun) {
+                begun = true;
+                firstUs = batch.timeUs[i];
+            }
+            newestUs = batch.timeUs[i];
+            int x = batch.x[i];
+            int y = batch.y[i];
+            if (x < 0 || x >= width || y < 0 || y >= height) {
+                continue;
+            }
+            int pixel = y * width + x;
+            int nowUs = (int) (newestUs - firstUs);
+            follow(pixel, batch.polarity[i], nowUs);
+            events++;
+            if (flow.segment[i] == 0) {
+                unlabelled++;
+                unlabelledAt[pixel]++;
+                flickering += regular[pixel] ? 1 : 0;
+                alone += isAlone(x, y, nowUs) ? 1 : 0;
+            }
+            lastUs[pixel] = nowUs;
+        }
+    }
+
+    /** Keeps how long light takes at a pixel from rise to rise and from fall to fall. */
+    private void follow(int pixel, byte sign, int nowUs) {
+        if (sign == polarity[pixel]) {
+            return;
+        }
+        polarity[pixel] = sign;
+        int run = 2 * pixel + (sign > 0 ? 1 : 0);
+        int period = runUs[run] == NEVER ? 0 : nowUs - runUs[run];
+        int before = periodUs[pixel];
+        regular[pixel] = period >= SHORTEST_FLICKER_US && period < LONGEST_FLICKER_US
+            && Math.abs(period - before) <= EQUAL_TIMES * period;
+        periodUs[pixel] = period;
+        runUs[run] = nowUs;
+    }
+
+    private boolean isAlone(int x, int y, int nowUs) {
+        for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
+            for (int column = Math.max(0, x - 1); column <= Math.min(width - 1, x + 1); column++) {
+                int last = lastUs[row * width + column];
+                if (last != NEVER && nowUs - last <= COMPANY_US) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** The likely reason in words; empty where at least half of the events have flow. */
+    public String likelyReason() {
+        if (unlabelled <= MOST * events) {
+            return "";
+        }
+        if (flickering > MOST * unlabelled) {
+            return percent(flickering) + " of these come again and again at their pixel in equal times: light that "
+                + "flickers";
+        }
+        int[] busiest = unlabelledAt.clone();
+        Arrays.sort(busiest);
+        int few = (int) Math.ceil(FEW_PIXELS * busiest.length);
+        long fromFew = 0;
+        for (int i = 0; i < few; i++) {
+            fromFew += busiest[busiest.length - 1 - i];
+        }
+        if (fromFew > MOST * unlabelled) {
+            return percent(fromFew) + " of these come from " + few + (few == 1 ? " pixel" : " pixels")
+                + ": hot pixels, or something that stays where it is";
+        }
+        if (alone > MOST * unlabelled) {
+            return percent(alone) + " of these have no other event beside them in the " + COMPANY_US / 1000
+                + " ms before: noise, or too sparse for what moves there";
+        }
+        if (newestUs - firstUs < SHORT_US) {
+            return String.format(Locale.ROOT, "with %.0f ms the recording is too short to find what moves",
+                (newestUs - firstUs) * 1e-3);
+        }
+        return "what moves there travels too little, or changes too much, to be told from what rests";
+    }
+
+    private String percent(long count) {
+        return String.format(Locale.ROOT, "%.0f %%", 100.0 * count / unlabelled);
+    }
+}
