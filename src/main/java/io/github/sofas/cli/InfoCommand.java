@@ -3,11 +3,14 @@ package io.github.sofas.cli;
 import com.fasterxml.jackson.core.JsonGenerator;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
 import io.github.sofas.export.Json;
 import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.recording.Printable;
+import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
+import io.github.sofas.recording.SensorNotNamedException;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -102,7 +105,23 @@ final class InfoCommand implements Callable<Integer> {
     }
 
     private RecordingSummary read(Path recording) throws EventSourceException {
-        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
+        RecordingOptions options = reading.recordingOptions();
+        try {
+            return read(recording, options, List.of());
+        } catch (SensorNotNamedException e) {
+            if (!e.sizeServes()) {
+                throw e;
+            }
+            SensorSize guess = Recordings.smallestSensor(recording, options);
+            return read(recording, options.withChip(guess.toString()), List.of("[" + recording.getFileName()
+                + "] nothing names the sensor; " + guess + " is a guess, the smallest usual one that holds all "
+                + "events"));
+        }
+    }
+
+    private RecordingSummary read(Path recording, RecordingOptions options, List<String> notes)
+            throws EventSourceException {
+        try (RecordingReader reader = Recordings.open(recording, options)) {
             EventBatch batch = new EventBatch(BATCH);
             EventSourceException damage = null;
             try {
@@ -113,7 +132,7 @@ final class InfoCommand implements Callable<Integer> {
             } catch (EventSourceException e) {
                 damage = e;
             }
-            return Summaries.of(recording, reader, damage);
+            return Summaries.of(recording, reader, damage, notes);
         }
     }
 

@@ -1,7 +1,9 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.recording.RecordingOptions;
+import io.github.sofas.recording.TextTimeUnit;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Option;
 
@@ -20,6 +22,15 @@ final class ReadingOptions {
         description = "Take a step back in time for damage; without it the event gets the time of the one before.")
     private boolean strict;
 
+    @Option(names = "--columns", paramLabel = "NAME", split = ",",
+        description = "What the fields of text recordings are, in their order, such as t,x,y,p or x,y,_,p,t; without "
+            + "it as their header says, or t,x,y,p.")
+    private List<String> columns;
+
+    @Option(names = "--time", paramLabel = "UNIT",
+        description = "Unit of the times of text recordings: s, ms, us or ns; without it as header or numbers say.")
+    private String timeUnit;
+
     @Option(names = "--doubtful-share", paramLabel = "SHARE", defaultValue = "0.01",
         description = "Share of events that may be corrected, dropped or malformed, 0 to 1; over it the exit code is "
             + "1; default: ${DEFAULT-VALUE}.")
@@ -33,6 +44,16 @@ final class ReadingOptions {
     void check() {
         if (!(doubtfulShare >= 0 && doubtfulShare <= 1)) {
             throw new IllegalArgumentException("--doubtful-share must be 0 to 1 but was " + doubtfulShare);
+        }
+        if (timeUnit != null && TextTimeUnit.named(timeUnit).isEmpty()) {
+            throw new IllegalArgumentException("--time must be s, ms, us or ns but was " + timeUnit);
+        }
+        if (columns != null) {
+            try {
+                RecordingOptions.defaults().withColumns(columns);
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException("--" + e.getMessage(), e);
+            }
         }
     }
 
@@ -54,6 +75,9 @@ final class ReadingOptions {
     }
 
     RecordingOptions recordingOptions() {
-        return RecordingOptions.defaults().withChip(chip).withStrict(strict).withForceChip(forceChip);
+        RecordingOptions options = RecordingOptions.defaults().withChip(chip).withStrict(strict)
+            .withForceChip(forceChip);
+        options = columns == null ? options : options.withColumns(columns);
+        return timeUnit == null ? options : options.withTimeUnit(TextTimeUnit.named(timeUnit).orElseThrow());
     }
 }

@@ -1,5 +1,6 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.recording.Recordings;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystems;
@@ -24,11 +25,14 @@ import java.util.stream.Stream;
  */
 final class RecordingArguments {
     /**
-     * What a directory is searched for. Text recordings are not among it, because notes and results are text too: they
-     * are named one by one or by a pattern.
+     * What a directory is searched for; of text, only what begins with events and is no result of this program, because
+     * notes and results are text too.
      */
     static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat", "raw", "es",
-        "bin", "h5", "hdf5");
+        "bin", "h5", "hdf5", "csv", "txt");
+    private static final List<String> TEXT = List.of("csv", "txt");
+    /** Results that hold a row for each event, and truth: text that reads as a recording and is none. */
+    private static final List<String> RESULTS = List.of(".flow.csv", ".truth.csv");
 
     private static final String WILDCARDS = "*?[{";
     /** What stands in an argument for bytes that are no characters. */
@@ -94,7 +98,9 @@ final class RecordingArguments {
 
     private static boolean looksLikeRecording(Path file) {
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        return !name.startsWith(".") && EXTENSIONS.stream().anyMatch(known -> name.endsWith("." + known));
+        return !name.startsWith(".") && EXTENSIONS.stream().anyMatch(known -> name.endsWith("." + known))
+            && (TEXT.stream().noneMatch(known -> name.endsWith("." + known))
+                || RESULTS.stream().noneMatch(name::endsWith) && Recordings.isText(file));
     }
 
     private static List<Path> match(Path pattern) {

@@ -21,6 +21,14 @@ final class Summaries {
      * @param damage why it could not be read to its end; null where it was
      */
     static RecordingSummary of(Path recording, RecordingReader reader, EventSourceException damage) {
+        return of(recording, reader, damage, List.of());
+    }
+
+    /** The same, with notes beside the reader's own. */
+    static RecordingSummary of(Path recording, RecordingReader reader, EventSourceException damage,
+                               List<String> notes) {
+        List<String> allNotes = new ArrayList<>(notes);
+        allNotes.addAll(reader.notes());
         RecordingCounts counts = reader.counts();
         Map<String, Long> byType = new LinkedHashMap<>();
         byType.put("dvs_events", counts.events());
@@ -43,7 +51,7 @@ final class Summaries {
         String format = reader.formatName() + reader.compression().map(how -> " (" + how + ")").orElse("");
         return new RecordingSummary(recording.toString(), format, reader.chip().orElse(""), reader.sensor(),
             counts.events(), reader.firstTimeUs(), reader.lastTimeUs(), byType, damage == null, faults,
-            reader.notes(), counts.doubtfulShare());
+            allNotes, counts.doubtfulShare());
     }
 
     /** DVS events that were in the file and not delivered, by reason. */

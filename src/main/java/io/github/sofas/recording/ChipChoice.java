@@ -79,9 +79,9 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
                     + " was not used; --force-chip uses it", false);
         }
         if (option == null) {
-            throw new EventSourceException("[" + fileName + "] " + (headerChip == null
+            throw new SensorNotNamedException("[" + fileName + "] " + (headerChip == null
                     ? "the recording names no chip" : "the recording's chip " + headerChip + " is not known")
-                    + ": --chip must name one of " + Chip.knownNames() + orSize);
+                    + ": --chip must name one of " + Chip.knownNames() + orSize, !orSize.isEmpty());
         }
         return headerChip == null ? option : new ChipChoice(option.name, option.chip, option.sensor,
                 "[" + fileName + "] the header's chip " + headerChip

@@ -91,12 +91,9 @@ final class Hdf5Reader extends RecordingReader {
             throws EventSourceException {
         try {
             return ChipChoice.withOwnSize(file.name, 0, null, layout.width(), layout.height(), options);
-        } catch (MalformedRecordingException e) {
-            throw e;
-        } catch (EventSourceException e) {
-            boolean isAsked = options.chip() == null && layout.usualSensor() != null;
-            throw isAsked ? new EventSourceException(e.getMessage() + "; " + layout.name() + "'s is "
-                    + layout.usualSensor(), e) : e;
+        } catch (SensorNotNamedException e) {
+            throw layout.usualSensor() == null ? e : new SensorNotNamedException(e.getMessage() + "; " + layout.name()
+                    + "'s is " + layout.usualSensor(), true);
         }
     }
 

@@ -5,6 +5,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -114,6 +115,17 @@ final class RecordingFile implements Closeable {
             done += read;
         }
         return done;
+    }
+
+    /** The file's last bytes as text; where it is, it stays. */
+    String tail(int bytes) throws IOException {
+        ByteBuffer tail = ByteBuffer.allocate((int) Math.min(bytes, size()));
+        long from = size() - tail.capacity();
+        while (tail.hasRemaining() && channel.read(tail, from + tail.position()) > 0) {
+            // a channel may give less than it has
+            continue;
+        }
+        return new String(tail.array(), 0, tail.position(), StandardCharsets.UTF_8);
     }
 
     /**

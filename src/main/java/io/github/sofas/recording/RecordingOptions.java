@@ -1,35 +1,57 @@
 package io.github.sofas.recording;
 
+import java.util.List;
+
 /**
  * What a recording does not say itself, and how its faults are taken.
  *
  * @param chip the sensor where the recording names none that is known: a name that {@link Chip#named} knows or, for
- *     formats whose events hold plain coordinates (text, AEDAT 3 and 4), a size such as {@code 240x180}; null for none.
- *     A chip that the recording names itself wins, and the difference is one of {@link RecordingReader#faults()}.
+ *     formats whose events hold plain coordinates (all but AEDAT 1 and 2), a size such as {@code 240x180}; null for
+ *     none. A chip that the recording names itself wins, and the difference is one of {@link RecordingReader#notes()}.
  * @param strict whether a step back in time is an error; otherwise it is counted and the event gets the greatest time
  *     seen before it
  * @param forceChip whether the chip is taken even where the recording names another, or its addresses speak against it
+ * @param columns which field of a text recording's lines is what; null for what its header says, or the usual order
+ * @param timeUnit unit of a text recording's times; null for what its header or its numbers say
  */
-public record RecordingOptions(String chip, boolean strict, boolean forceChip) {
-    private static final RecordingOptions DEFAULTS = new RecordingOptions(null, false, false);
+public record RecordingOptions(String chip, boolean strict, boolean forceChip, TextColumns columns,
+                               TextTimeUnit timeUnit) {
+    private static final RecordingOptions DEFAULTS = new RecordingOptions(null, false, false, null, null);
 
-    /** No chip, not strict. */
+    /** No chip, not strict, text by its header or the usual order. */
     public static RecordingOptions defaults() {
         return DEFAULTS;
     }
 
     /** The same with another chip, or null for none. */
     public RecordingOptions withChip(String newChip) {
-        return new RecordingOptions(newChip, strict, forceChip);
+        return new RecordingOptions(newChip, strict, forceChip, columns, timeUnit);
     }
 
     /** The same with another strictness. */
     public RecordingOptions withStrict(boolean newStrict) {
-        return new RecordingOptions(chip, newStrict, forceChip);
+        return new RecordingOptions(chip, newStrict, forceChip, columns, timeUnit);
     }
 
     /** The same with the chip obeyed whatever the recording says, or not. */
     public RecordingOptions withForceChip(boolean newForceChip) {
-        return new RecordingOptions(chip, strict, newForceChip);
+        return new RecordingOptions(chip, strict, newForceChip, columns, timeUnit);
+    }
+
+    /**
+     * The same with the columns of text recordings told.
+     *
+     * @param names in the order of the fields, such as t, x, y, p; any other name passes over a field
+     * @throws IllegalArgumentException where one of the four is missing or comes twice
+     */
+    public RecordingOptions withColumns(List<String> names) {
+        TextColumns newColumns = TextColumns.named(names).orElseThrow(() -> new IllegalArgumentException(
+                "columns must name t, x, y and p once each but were " + String.join(",", names)));
+        return new RecordingOptions(chip, strict, forceChip, newColumns, timeUnit);
+    }
+
+    /** The same with the unit of time of text recordings told, or null for what they say. */
+    public RecordingOptions withTimeUnit(TextTimeUnit newTimeUnit) {
+        return new RecordingOptions(chip, strict, forceChip, columns, newTimeUnit);
     }
 }

@@ -2,6 +2,7 @@ package io.github.sofas.recording;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
@@ -10,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
@@ -23,12 +25,17 @@ public final class Recordings {
     private static final int PROBED = 1 << 16;
     private static final int PROBED_BATCH = 4096;
 
+    /** Sizes of sensors that recordings without a header come from, smallest first. */
+    private static final List<SensorSize> USUAL = List.of(new SensorSize(34, 34), new SensorSize(128, 128),
+            new SensorSize(240, 180), new SensorSize(304, 240), new SensorSize(320, 240), new SensorSize(346, 260),
+            new SensorSize(640, 480), new SensorSize(1280, 720));
+
     private Recordings() {
     }
 
     /**
      * Opens a recording: by the magic at its start, and where it has none by the file's extension ({@code .dat} and
-     * {@code .aedat} are AEDAT 1.0, {@code .bin} is N-MNIST, {@code .txt} is text).
+     * {@code .aedat} are AEDAT 1.0, {@code .bin} is N-MNIST, {@code .txt} and {@code .csv} are text).
      *
      * @return a reader before the first event, to be closed by the caller
      * @throws MalformedRecordingException where the header is damaged or the format is not served
@@ -129,24 +136,25 @@ public final class Recordings {
         if (lower.endsWith(NMnistReader.EXTENSION)) {
             return named(file, options, NMnistReader::new);
         }
-        if (lower.endsWith(".txt")) {
-            return named(file, options, TextReader::new);
+        if (lower.endsWith(".txt") || lower.endsWith(".csv")) {
+            return named(file, options, TextReader::open);
         }
         boolean isCut = file.available() < EventStreamReader.MAGIC.length;
         throw new MalformedRecordingException("[" + file.name + "] header at byte 0: "
                 + (isCut ? "truncated" : "unsupported") + ", a recording must begin as a known format does or have the "
-                + "extension .aedat, .dat, .bin or .txt"
+                + "extension .aedat, .dat, .bin, .csv or .txt"
                 + (isCut ? " but ended after " + file.available() + " bytes" : ""));
     }
 
     /** A format that says nothing of its sensor. */
     @FunctionalInterface
     private interface Unnamed {
-        RecordingReader open(RecordingFile file, RecordingOptions options, ChipChoice choice);
+        RecordingReader open(RecordingFile file, RecordingOptions options, ChipChoice choice)
+                throws IOException, EventSourceException;
     }
 
     private static RecordingReader named(RecordingFile file, RecordingOptions options, Unnamed format)
-            throws EventSourceException {
+            throws IOException, EventSourceException {
         ChipChoice choice = ChipChoice.withSize(file.name, null, options);
         RecordingReader reader = format.open(file, options, choice);
         choice.reportTo(reader);
@@ -238,6 +246,45 @@ public final class Recordings {
         throw new MalformedRecordingException("[" + file.name + "] header at byte " + Aedat4Format.MAGIC_BYTES
                 + ": unsupported, a recording must declare a stream of events (EVTS) but had " + header.streams().size()
                 + " others");
+    }
+
+    /**
+     * The smallest of the usual sensors that holds all events of a recording that says nothing of its own: a guess, for
+     * people to look at.
+     *
+     * @param options whose chip is not used
+     * @throws EventSourceException where the recording cannot be opened
+     */
+    public static SensorSize smallestSensor(Path path, RecordingOptions options) throws EventSourceException {
+        RecordingOptions largest = options.withChip(USUAL.get(USUAL.size() - 1).toString()).withForceChip(true);
+        int greatestX = 0;
+        int greatestY = 0;
+        try (RecordingReader reader = open(path, largest)) {
+            EventBatch batch = new EventBatch(PROBED_BATCH);
+            try {
+                while (reader.next(batch)) {
+                    for (int i = 0; i < batch.size(); i++) {
+                        greatestX = Math.max(greatestX, batch.x[i]);
+                        greatestY = Math.max(greatestY, batch.y[i]);
+                    }
+                }
+            } catch (EventSourceException e) {
+                // it is met again when the recording is read
+                batch.clear();
+            }
+        }
+        int x = greatestX;
+        int y = greatestY;
+        return USUAL.stream().filter(sensor -> sensor.contains(x, y)).findFirst().orElseThrow();
+    }
+
+    /** Whether a text file's first lines read as events: what a folder is searched for among other texts. */
+    public static boolean isText(Path path) {
+        try (RecordingFile file = new RecordingFile(path)) {
+            return TextLayout.fits(file);
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     /** What follows the magic up to the line's end; null where the file does not start with the magic. */

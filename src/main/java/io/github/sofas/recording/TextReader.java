@@ -7,26 +7,54 @@ import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads text: one event a line, {@code t x y p}, with t in seconds, x right, y down, p 1 for ON and 0 (or -1) for OFF,
- * separated by blanks, tabs or commas (the data sets of the Robotics and Perception Group, Zurich). Empty lines and
- * lines that start with {@code #} are passed over. Times are rounded to µs. Holds one file buffer.
+ * Reads text: one event a line, its columns and unit of time as {@link TextLayout} finds them; without header or option
+ * {@code t x y p}, with t in seconds, x right, y down, p 1 for ON and 0 (or -1) for OFF, separated by blanks, tabs or
+ * commas (the data sets of the Robotics and Perception Group, Zurich). Empty lines and lines that start with {@code #}
+ * are passed over. Times are rounded to µs. Holds one file buffer.
  */
 final class TextReader extends RecordingReader {
     /** Of any line; one that is longer is no event. */
     private static final int MAX_LINE_BYTES = 4096;
-    private static final int FIELDS = 4;
     private static final int SHOWN_CHARACTERS = 60;
     /** So that µs fit into a long with room to spare: 31,000 years. */
     private static final BigDecimal MAX_SECONDS = BigDecimal.valueOf(1_000_000_000_000L);
-    private static final int FRACTION_DIGITS = 6;
-    private static final int MAX_FAST_DIGITS = 12;
+    private static final int SECOND_DIGITS = 6;
+    /** Digits of µs that surely fit into a long. */
+    private static final int MAX_FAST_DIGITS = 18;
+    private static final int MAX_INTEGER_DIGITS = 6;
+    private static final String TRUE = "true";
+    private static final String FALSE = "false";
 
-    private final int[] fieldAt = new int[FIELDS];
-    private final int[] fieldEnd = new int[FIELDS];
+    private final TextLayout layout;
+    private final TextColumns columns;
+    private final char separator;
+    private final int unitDigits;
+    private final boolean extraFields;
+    private final int[] fieldAt;
+    private final int[] fieldEnd;
     private long line;
 
-    TextReader(RecordingFile file, RecordingOptions options, ChipChoice choice) {
+    private TextReader(RecordingFile file, RecordingOptions options, TextLayout layout, ChipChoice choice) {
         super(file, options, "text", choice.name(), choice.sensor());
+        this.layout = layout;
+        columns = layout.columns();
+        separator = layout.separator();
+        unitDigits = layout.unit().digits;
+        extraFields = options.columns() != null;
+        fieldAt = new int[columns.count()];
+        fieldEnd = new int[columns.count()];
+        line = layout.headerLines();
+        file.position += layout.bodyAt();
+    }
+
+    /** Finds out how the file is laid out, and makes a reader at the first event. */
+    static TextReader open(RecordingFile file, RecordingOptions options, ChipChoice choice)
+            throws IOException, MalformedRecordingException {
+        TextReader reader = new TextReader(file, options, TextLayout.of(file, options), choice);
+        if (reader.layout.note() != null) {
+            reader.addNote(reader.layout.note());
+        }
+        return reader;
     }
 
     @Override
@@ -50,24 +78,9 @@ final class TextReader extends RecordingReader {
         byte[] buffer = file.buffer;
         int start = file.position;
         int limit = Math.min(file.limit, start + MAX_LINE_BYTES);
-        int fields = 0;
-        boolean inField = false;
         int p = start;
-        for (; p < limit && buffer[p] != '\n'; p++) {
-            byte next = buffer[p];
-            boolean separates = next == ' ' || next == '\t' || next == ',' || next == '\r';
-            if (separates && inField && fields <= FIELDS) {
-                fieldEnd[fields - 1] = p;
-            } else if (!separates && !inField) {
-                if (fields < FIELDS) {
-                    fieldAt[fields] = p;
-                }
-                fields++;
-            }
-            inField = !separates;
-        }
-        if (inField && fields <= FIELDS) {
-            fieldEnd[fields - 1] = p;
+        while (p < limit && buffer[p] != '\n') {
+            p++;
         }
         boolean ends = p < limit;
         line++;
@@ -76,21 +89,20 @@ final class TextReader extends RecordingReader {
                     + shown(start, p));
         }
         file.position = ends ? p + 1 : p;
+        int fields = separator == 0 ? split(start, p) : splitBySeparator(start, p);
         if (fields == 0 || buffer[fieldAt[0]] == '#') {
             return 0;
         }
-        if (fields != FIELDS) {
+        if (fields < columns.count() || fields > columns.count() && !extraFields) {
             throw malformed(0, line, (ends ? "malformed" : "truncated")
-                    + ", expected \"t x y polarity\" but found " + fields
+                    + ", expected \"" + Printable.shortened(String.join(" ", columns.names()))
+                    + "\" but found " + fields
                     + (fields == 1 ? " field: " : " fields: ") + shown(start, p));
         }
         long time = microseconds(start, p);
-        int column = integer(1, "x", start, p);
-        int row = integer(2, "y", start, p);
-        int polarity = integer(3, "polarity", start, p);
-        if (polarity < -1 || polarity > 1) {
-            throw malformed(0, line, "malformed, polarity must be 1, 0 or -1 but was " + polarity);
-        }
+        int column = integer(columns.x(), "x", start, p);
+        int row = integer(columns.y(), "y", start, p);
+        int polarity = polarity(start, p);
         if (!sensor().contains(column, row)) {
             outside(column, row, 0, line);
             return 0;
@@ -103,27 +115,85 @@ final class TextReader extends RecordingReader {
         return 1;
     }
 
+    /** Finds the fields between blanks, tabs and commas, and returns how many there are. */
+    private int split(int start, int end) {
+        byte[] buffer = file.buffer;
+        int most = fieldAt.length;
+        int fields = 0;
+        boolean inField = false;
+        for (int p = start; p < end; p++) {
+            byte next = buffer[p];
+            boolean separates = next == ' ' || next == '\t' || next == ',' || next == '\r';
+            if (separates && inField && fields <= most) {
+                fieldEnd[fields - 1] = p;
+            } else if (!separates && !inField) {
+                if (fields < most) {
+                    fieldAt[fields] = p;
+                }
+                fields++;
+            }
+            inField = !separates;
+        }
+        if (inField && fields <= most) {
+            fieldEnd[fields - 1] = end;
+        }
+        return fields;
+    }
+
+    /** Finds the fields between separators, without the blanks around them; some may be empty. */
+    private int splitBySeparator(int start, int end) {
+        byte[] buffer = file.buffer;
+        int fields = 0;
+        int from = start;
+        boolean isBlank = true;
+        for (int p = start; p <= end; p++) {
+            if (p == end || buffer[p] == separator) {
+                if (fields < fieldAt.length) {
+                    int first = from;
+                    int last = p;
+                    while (first < last && isBlank(buffer[first])) {
+                        first++;
+                    }
+                    while (last > first && isBlank(buffer[last - 1])) {
+                        last--;
+                    }
+                    fieldAt[fields] = first;
+                    fieldEnd[fields] = last;
+                }
+                fields++;
+                from = p + 1;
+            }
+            isBlank &= p == end || isBlank(buffer[p]);
+        }
+        return isBlank ? 0 : fields;
+    }
+
+    private static boolean isBlank(byte character) {
+        return character == ' ' || character == '\t' || character == '\r' || character == '"';
+    }
+
     /** The time of the line, without the rounding of a double: 1.4e9 s with 9 decimals does not fit into one. */
     private long microseconds(int start, int end) throws MalformedRecordingException {
         byte[] buffer = file.buffer;
-        int p = fieldAt[0];
-        int fieldEndAt = fieldEnd[0];
-        boolean negative = buffer[p] == '-';
+        int p = fieldAt[columns.time()];
+        int fieldEndAt = fieldEnd[columns.time()];
+        boolean negative = p < fieldEndAt && buffer[p] == '-';
         if (negative) {
             p++;
         }
         long value = 0;
         int digits = 0;
-        for (; p < fieldEndAt && isDigit(buffer[p]) && digits < MAX_FAST_DIGITS; p++, digits++) {
+        int mostDigits = MAX_FAST_DIGITS - Math.max(0, unitDigits);
+        for (; p < fieldEndAt && isDigit(buffer[p]) && digits < mostDigits; p++, digits++) {
             value = 10 * value + buffer[p] - '0';
         }
         int decimals = 0;
         boolean roundUp = false;
-        if (p < fieldEndAt && buffer[p] == '.') {
+        if (unitDigits >= 0 && p < fieldEndAt && buffer[p] == '.') {
             for (p++; p < fieldEndAt && isDigit(buffer[p]); p++, decimals++) {
-                if (decimals < FRACTION_DIGITS) {
+                if (decimals < unitDigits) {
                     value = 10 * value + buffer[p] - '0';
-                } else if (decimals == FRACTION_DIGITS) {
+                } else if (decimals == unitDigits) {
                     roundUp = buffer[p] >= '5';
                 }
             }
@@ -131,44 +201,49 @@ final class TextReader extends RecordingReader {
         if (p < fieldEndAt || digits + decimals == 0) {
             return unusualMicroseconds(start, end);
         }
-        for (int i = decimals; i < FRACTION_DIGITS; i++) {
+        for (int i = decimals; i < unitDigits; i++) {
             value *= 10;
+        }
+        if (unitDigits < 0) {
+            value = (value + 500) / 1000;
         }
         value += roundUp ? 1 : 0;
         return negative ? -value : value;
     }
 
-    /** Times with an exponent, and what is no number. */
+    /** Times with an exponent, long ones, and what is no number. */
     private long unusualMicroseconds(int start, int end) throws MalformedRecordingException {
-        String text = text(fieldAt[0], fieldEnd[0]);
+        String text = text(fieldAt[columns.time()], fieldEnd[columns.time()]);
         try {
-            BigDecimal seconds = new BigDecimal(text);
+            BigDecimal seconds = new BigDecimal(text).scaleByPowerOfTen(unitDigits - SECOND_DIGITS);
             // An exponent of a billion would be expanded digit by digit, so magnitudes are compared first.
-            if (seconds.precision() - (long) seconds.scale() > MAX_FAST_DIGITS + 1
+            if (seconds.precision() - (long) seconds.scale() > MAX_SECONDS.precision()
                     || seconds.abs().compareTo(MAX_SECONDS) >= 0) {
                 throw malformed(0, line, "malformed, time must be smaller than " + MAX_SECONDS.toPlainString()
-                        + " s but was " + Printable.shortened(text));
+                        + " s but was " + Printable.shortened(text) + (unitDigits == SECOND_DIGITS ? ""
+                        : " " + layout.unit()));
             }
-            if (seconds.precision() - (long) seconds.scale() < -FRACTION_DIGITS - 1) {
+            if (seconds.precision() - (long) seconds.scale() < -SECOND_DIGITS - 1) {
                 return 0;
             }
-            return seconds.movePointRight(FRACTION_DIGITS).setScale(0, RoundingMode.HALF_UP).longValue();
-        } catch (NumberFormatException e) {
-            throw malformed(0, line, "malformed, time must be a number of seconds: " + shown(start, end));
+            return seconds.movePointRight(SECOND_DIGITS).setScale(0, RoundingMode.HALF_UP).longValue();
+        } catch (NumberFormatException | ArithmeticException e) {
+            throw malformed(0, line, "malformed, time must be a number of " + (unitDigits == SECOND_DIGITS ? "seconds"
+                    : layout.unit()) + ": " + shown(start, end));
         }
     }
 
     private int integer(int field, String name, int start, int end) throws MalformedRecordingException {
         byte[] buffer = file.buffer;
         int p = fieldAt[field];
-        int fieldEndAt = fieldEnd[field];
-        boolean negative = buffer[p] == '-';
+        int fieldEndAt = wholeEnd(p, fieldEnd[field]);
+        boolean negative = p < fieldEndAt && buffer[p] == '-';
         if (negative) {
             p++;
         }
         int value = 0;
-        // Six digits at most, so that no value overflows; no sensor has so many columns.
-        boolean valid = p < fieldEndAt && fieldEndAt - p <= 6;
+        // So few that no value overflows; no sensor has so many columns.
+        boolean valid = p < fieldEndAt && fieldEndAt - p <= MAX_INTEGER_DIGITS;
         for (; valid && p < fieldEndAt; p++) {
             valid = isDigit(buffer[p]);
             value = 10 * value + buffer[p] - '0';
@@ -177,6 +252,32 @@ final class TextReader extends RecordingReader {
             throw malformed(0, line, "malformed, " + name + " must be an integer: " + shown(start, end));
         }
         return negative ? -value : value;
+    }
+
+    /** Where a field ends without a fraction of zeros, which tables of floating-point numbers write. */
+    private int wholeEnd(int from, int end) {
+        byte[] buffer = file.buffer;
+        int p = end;
+        while (p > from && buffer[p - 1] == '0') {
+            p--;
+        }
+        return p > from && p < end && buffer[p - 1] == '.' ? p - 1 : end;
+    }
+
+    private int polarity(int start, int end) throws MalformedRecordingException {
+        int from = fieldAt[columns.polarity()];
+        int to = fieldEnd[columns.polarity()];
+        if (to - from >= TRUE.length() && Character.isLetter(file.buffer[from])) {
+            String word = text(from, to);
+            if (word.equalsIgnoreCase(TRUE) || word.equalsIgnoreCase(FALSE)) {
+                return word.equalsIgnoreCase(TRUE) ? 1 : 0;
+            }
+        }
+        int polarity = integer(columns.polarity(), "polarity", start, end);
+        if (polarity < -1 || polarity > 1) {
+            throw malformed(0, line, "malformed, polarity must be 1, 0 or -1 but was " + polarity);
+        }
+        return polarity;
     }
 
     private static boolean isDigit(byte character) {

@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.recording.Aedat2Writer;
@@ -187,7 +188,7 @@ public class InfoCommandTest {
         Path strange = Files.writeString(root.resolve("strange.aedat4"), "no recording");
         Executed info = Executed.command("info", strange.toString(), recording.toString());
         assertEquals("[strange.aedat4] header at byte 0: unsupported, a recording must begin as a known format "
-            + "does or have the extension .aedat, .dat, .bin or .txt\n", info.err);
+            + "does or have the extension .aedat, .dat, .bin, .csv or .txt\n", info.err);
         assertEquals(recording.toString(), info.out.lines().findFirst().orElse(""));
         assertEquals(1, info.exitCode);
     }
@@ -206,5 +207,17 @@ public class InfoCommandTest {
         Executed info = Executed.command("info");
         assertEquals("Missing required parameter: 'RECORDING'\nTry 'sofas info --help'.\n", info.err);
         assertEquals(2, info.exitCode);
+    }
+
+    @Test
+    public void guessesTheSensorOfTextAndSaysSo() throws IOException {
+        Path text = Files.writeString(root.resolve("a.csv"), "t_us,x,y,p\n1,2,3,1\n5,300,4,0\n");
+        Executed info = Executed.command("info", text.toString());
+        assertTrue(info.out, info.out.contains("\n  format:              text\n  chip:                not named\n"
+            + "  sensor:              304x240 px\n"));
+        assertTrue(info.out, info.out.contains("\n  dvs events:          2\n"));
+        assertTrue(info.out, info.out.contains("\n  note:                [a.csv] nothing names the sensor; 304x240 is "
+            + "a guess, the smallest usual one that holds all events\n"));
+        assertEquals(0, info.exitCode);
     }
 }

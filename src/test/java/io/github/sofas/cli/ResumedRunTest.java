@@ -130,7 +130,7 @@ public class ResumedRunTest {
         assertTrue(last, last.startsWith("5 of 8 recordings failed: "));
         for (String message : List.of("[d.aedat] header at byte 0: truncated, a recording must not be empty",
             "[e.aedat4] header at byte 0: unsupported, a recording must begin as a known format does or have the "
-            + "extension .aedat, .dat, .bin or .txt",
+            + "extension .aedat, .dat, .bin, .csv or .txt",
             "[f.dat] event 0 at byte 0: truncated, a record must have 6 bytes but had 5",
             "[g.aedat] header at byte 9: unsupported, the AEDAT version must be one of 1.0, 2.0, 3.0, 3.1, 4.0 but was "
             + "\"9.9\"", "[" + recordings.resolve("i.aedat") + "] cannot be opened: no such file")) {

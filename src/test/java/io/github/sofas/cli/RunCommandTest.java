@@ -351,7 +351,7 @@ public class RunCommandTest {
         assertUsage("[" + missing + "] no such file", HEXAGON, missing);
         Path empty = Files.createDirectory(root.resolve("empty"));
         assertUsage("[" + empty + "] no recording in this directory: extensions are aedat, aedat2, aedat3, aedat4, "
-            + "dat, raw, es, bin, h5, hdf5", empty);
+            + "dat, raw, es, bin, h5, hdf5, csv, txt", empty);
         assertUsage("[" + root + "/*.aedat] no file matches this pattern", root + "/*.aedat");
         assertUsage("[" + root + "/none/*.aedat] no file matches this pattern", root + "/none/*.aedat");
     }
@@ -496,7 +496,7 @@ public class RunCommandTest {
         assertEquals(1, run.exitCode);
         assertEquals("1 of 2 recordings failed: " + damaged, run.errLines().get(run.errLines().size() - 1));
         assertTrue(run.err, run.errLines().contains("[damaged.aedat4] header at byte 0: unsupported, a recording must "
-            + "begin as a known format does or have the extension .aedat, .dat, .bin or .txt"));
+            + "begin as a known format does or have the extension .aedat, .dat, .bin, .csv or .txt"));
         assertEquals(results("edge"), filesIn(out));
     }
 

@@ -57,7 +57,8 @@ public class DamageTest {
         all.put("b.dat", ReaderFuzz.Dat.seeds());
         all.put("a.es", ReaderFuzz.EventStream.seeds());
         all.put("a.bin", ReaderFuzz.NMnist.seeds());
-        all.put("a.txt", ReaderFuzz.Text.seeds());
+        // what is cut from the others may make their header or unit another
+        all.put("a.txt", ReaderFuzz.Text.seeds().subList(0, 2));
         return all;
     }
 

@@ -230,13 +230,19 @@ public final class ReaderFuzz {
 
         /** Called by the fuzzer. */
         public static void fuzzerTestOneInput(byte[] data) {
-            read("a.txt", data, RecordingOptions.defaults().withChip("240x180").withStrict(data.length % 2 == 1));
+            RecordingOptions options = RecordingOptions.defaults().withChip("240x180")
+                .withStrict(data.length % 2 == 1);
+            read("a.csv", data, options);
+            read("a.txt", data, options.withTimeUnit(TextTimeUnit.values()[data.length % 4])
+                .withColumns(List.of("x", "y", "t", "_", "p")));
         }
 
         /** Valid inputs to start from. */
         public static List<byte[]> seeds() {
             return List.of(join("# t x y p\n0.003811000 96 133 0\n0.003820001 127 171 1\r\n\n1,1,2,-1\n2.0\t3\t4\t0"),
-                join("-1.5 0 0 1\n-.0000014 0 0 1\n1e-9 0 0 1\n1468940293.9551094 239 179 1\n"));
+                join("-1.5 0 0 1\n-.0000014 0 0 1\n1e-9 0 0 1\n1468940293.9551094 239 179 1\n"),
+                join("\u00EF\u00BB\u00BFt [us],x,y,p,more\r\n7,1,2,True,\r\n8,1.0,2,-1,x\r\n"),
+                join("1;2;3;1\n2;3;4;0\n".repeat(8)));
         }
     }
 

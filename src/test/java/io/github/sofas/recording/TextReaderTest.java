@@ -90,6 +90,6 @@ public class TextReaderTest {
 
     private ReadResult read(String text) throws IOException {
         return ReadResult.of(folder.getRoot().toPath(), "a.txt", text.getBytes(StandardCharsets.US_ASCII),
-                ReadResult.PLAIN.withChip("240x180"));
+                ReadResult.PLAIN.withChip("240x180").withTimeUnit(TextTimeUnit.S));
     }
 }

@@ -40,7 +40,7 @@ public class TimeOrderTest {
         Path file = Files.write(folder.getRoot().toPath().resolve(name), bytes);
         Times read = new Times();
         EventBatch batch = new EventBatch(batchSize);
-        try (RecordingReader reader = Recordings.open(file, new RecordingOptions(chip, strict, false))) {
+        try (RecordingReader reader = Recordings.open(file, ReadResult.PLAIN.withChip(chip).withStrict(strict))) {
             try {
                 while (reader.next(batch)) {
                     for (int i = 0; i < batch.size(); i++) {

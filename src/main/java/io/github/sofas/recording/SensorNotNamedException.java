@@ -1,0 +1,20 @@
+package io.github.sofas.recording;
+
+import io.github.sofas.event.EventSourceException;
+
+/** Neither a recording nor the caller names its sensor. */
+public final class SensorNotNamedException extends EventSourceException {
+    private static final long serialVersionUID = 1L;
+
+    private final boolean sizeServes;
+
+    SensorNotNamedException(String message, boolean sizeServes) {
+        super(message);
+        this.sizeServes = sizeServes;
+    }
+
+    /** Whether a size is enough, because the recording holds plain coordinates. */
+    public boolean sizeServes() {
+        return sizeServes;
+    }
+}
