@@ -49,7 +49,11 @@ public final class LocalPlanes implements EventLabeller {
     private double vx;
     private double vy;
 
-    /** Makes one. */
+    /**
+     * Makes one.
+     *
+     * @param sensor size of the sensor
+     */
     public LocalPlanes(SensorSize sensor) {
         this.sensor = sensor;
         lastTimeUs = new long[2 * sensor.width() * sensor.height()];

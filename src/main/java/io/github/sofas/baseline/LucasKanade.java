@@ -62,12 +62,19 @@ public final class LucasKanade implements EventLabeller {
     /**
      * Makes one with {@link Derivative#SAVITZKY_GOLAY}, the best of the three: it has the -35 % of magnitude error that
      * the SOFAS paper found Lucas-Kanade to have.
+     *
+     * @param sensor size of the sensor
      */
     public LucasKanade(SensorSize sensor) {
         this(sensor, Derivative.SAVITZKY_GOLAY);
     }
 
-    /** Makes one. */
+    /**
+     * Makes one.
+     *
+     * @param sensor size of the sensor
+     * @param derivative how brightness is differentiated
+     */
     public LucasKanade(SensorSize sensor, Derivative derivative) {
         this.sensor = sensor;
         this.derivative = derivative;

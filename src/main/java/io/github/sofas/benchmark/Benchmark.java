@@ -19,7 +19,7 @@ import java.util.Map;
  * Measures one recording: the engine on events that are in memory, decoding, writing CSV, and the whole run from file
  * to file. Every part is warmed up, then timed several times; all runs of a part must give one result.
  *
- * <p>One thread. Memory needed is about 30 bytes an event beside the engine's own.
+ * <p>One thread. Memory needed is about 30 bytes per event beside the engine's own.
  */
 public final class Benchmark {
     /** As many as the command line labels at once. */

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 /**
  * What the figures were taken on.
  *
- * @param cpu model of the processor, or its architecture where the system does not tell
+ * @param cpu model of the processor, or its architecture where the system does not say
  * @param cores how many the program may use
  * @param memoryBytes of the machine
  * @param os name and version of the system

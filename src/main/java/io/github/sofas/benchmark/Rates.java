@@ -7,10 +7,10 @@ import java.util.Arrays;
  *
  * @param runs how many were timed
  * @param events how many events each run handled
- * @param minPerS events a second of the slowest run
- * @param medianPerS events a second of the middle run; the mean of the middle two where their number is even
- * @param maxPerS events a second of the fastest run
- * @param cpuNsPerEvent time an event takes of the processor in the middle run, without what other programs took
+ * @param minPerS events per second of the slowest run
+ * @param medianPerS events per second of the middle run; the mean of the middle two where their number is even
+ * @param maxPerS events per second of the fastest run
+ * @param cpuNsPerEvent time per event takes of the processor in the middle run, without what other programs took
  * @param checksum of the result, equal for all runs, as 16 hexadecimal digits
  */
 public record Rates(int runs, long events, double minPerS, double medianPerS, double maxPerS,

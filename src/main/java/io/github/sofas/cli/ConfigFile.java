@@ -16,7 +16,7 @@ import java.util.Properties;
 
 /** A Java properties file in UTF-8 whose keys are named in messages with their line. */
 final class ConfigFile {
-    /** More than any has; whoever names a recording by mistake is told so. */
+    /** More than any has; a recording named by mistake is reported as such. */
     private static final int MOST_BYTES = 1 << 20;
 
     private final Path file;

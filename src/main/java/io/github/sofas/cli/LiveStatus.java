@@ -11,8 +11,8 @@ import java.util.function.LongSupplier;
 import org.HdrHistogram.Histogram;
 
 /**
- * How a live stream goes: one line a second, and one at the end. Told by the thread that labels, asked by the one that
- * shows.
+ * How a live stream goes: one line per second, and one at the end. Told by the thread that labels, asked by the one
+ * that shows.
  */
 final class LiveStatus {
     /** Segments that fit on a line. */

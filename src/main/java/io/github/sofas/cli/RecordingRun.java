@@ -215,7 +215,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     }
 
     /**
-     * Writes what is known only at the end; the summary last, which tells that the others are whole.
+     * Writes what is known only at the end; the summary last, whose presence shows that the others are complete.
      *
      * @throws IOException where it cannot be written
      */

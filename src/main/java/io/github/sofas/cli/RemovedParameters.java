@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 
-/** Options and keys of config files that there were once, so that who uses one is told what became of it. */
+/** Options and keys of config files that there were once, so that the message can say what became of it. */
 final class RemovedParameters {
     private static final Map<String, String> REASONS = new LinkedHashMap<>();
 

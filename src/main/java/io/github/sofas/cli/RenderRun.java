@@ -64,7 +64,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
     /**
      * When there is a picture.
      *
-     * @param fps pictures a second of film
+     * @param fps pictures per second of film
      * @param stepUs time of the recording between two pictures, µs
      * @param every events between two pictures; 0 where the time counts
      * @param fromS beginning, s from the first event

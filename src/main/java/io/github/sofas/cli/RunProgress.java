@@ -76,7 +76,7 @@ final class RunProgress implements AutoCloseable {
         }
     }
 
-    /** Java itself tells only of standard input and output; Linux tells of standard error. */
+    /** Java reports only standard input and output; Linux reports standard error, too. */
     static boolean standardErrorIsTerminal() {
         Path standardError = Path.of("/proc/self/fd/2");
         try {

@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
     synopsisSubcommandLabel = "COMMAND",
     description = "Optical flow and segment of every event of event-camera recordings.")
 final class SofasCommand implements Runnable {
-    /** Commands in the order in which help tells them. */
+    /** Commands in the order of the help text. */
     private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, RenderCommand.class, LiveCommand.class,
         InfoCommand.class, EvaluateCommand.class, SimulateCommand.class, ExperimentsCommand.class,
         CompareCommand.class, BenchCommand.class);

@@ -12,6 +12,9 @@ public record Agreement(long both, Distribution difference, Distribution angle) 
     /**
      * Compares event by event.
      *
+     * @param a one estimate
+     * @param b another, of the same events
+     * @return how far they agree
      * @throws IllegalArgumentException where they are not of equally many events
      */
     public static Agreement of(FlowEstimate a, FlowEstimate b) {

@@ -47,7 +47,7 @@ public record ConvergenceBin(long fromUs, long untilUs, long events, long events
         return List.copyOf(result);
     }
 
-    /** Share of the bin's events that have flow. */
+    /** {@return the share of the bin's events that have flow} */
     public double shareWithFlow() {
         return FlowFigures.share(eventsWithFlow, events);
     }

@@ -27,6 +27,10 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
     /**
      * Computes all figures.
      *
+     * @param truth of every event
+     * @param estimate of the same events
+     * @param options what counts
+     * @return the figures
      * @throws IllegalArgumentException where truth and estimate are not of equally many events
      */
     public static Evaluation of(GroundTruth truth, FlowEstimate estimate, EvaluationOptions options) {
@@ -75,7 +79,10 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
     /**
      * Lets a method label a simulated recording and computes all figures.
      *
+     * @param recording what is labelled
      * @param method made for the recording's sensor; not reset before
+     * @param options what counts
+     * @return the figures
      */
     public static Evaluation of(SimulatedRecording recording, EventLabeller method, EvaluationOptions options) {
         return of(GroundTruth.of(recording), FlowEstimate.of(recording, method), options);
@@ -100,7 +107,7 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
         return gatherer;
     }
 
-    /** Share of the noise events that have flow. */
+    /** {@return the share of the noise events that have flow} */
     public double noiseShareWithFlow() {
         return FlowFigures.share(noiseEventsWithFlow, noiseEvents);
     }

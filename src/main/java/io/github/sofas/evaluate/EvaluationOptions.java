@@ -22,6 +22,12 @@ public record EvaluationOptions(double skipFirstShare, long windowUs, long conve
     /**
      * Checks the components.
      *
+     * @param skipFirstShare share of the recording's time, from its first event, whose events are left out of the flow
+     *     and segmentation figures, 0 to below 1. jAER drops the first eight estimates instead, which depends on the
+     *     rate
+     * @param windowUs length of the windows of the segmentation figures in µs, positive
+     * @param convergenceBinUs length of the bins of time since appearance in µs, positive
+     * @param convergenceBins how many such bins, at least 1
      * @throws IllegalArgumentException where one is outside its range
      */
     public EvaluationOptions {
@@ -40,13 +46,17 @@ public record EvaluationOptions(double skipFirstShare, long windowUs, long conve
         }
     }
 
-    /** The documented defaults. */
+    /** {@return the documented defaults} */
     public static EvaluationOptions defaults() {
         return new EvaluationOptions(DEFAULT_SKIP_FIRST_SHARE, DEFAULT_WINDOW_US, DEFAULT_CONVERGENCE_BIN_US,
                 DEFAULT_CONVERGENCE_BINS);
     }
 
-    /** The same with another share left out. */
+    /**
+     * {@return the same with another share left out}
+     *
+     * @param share of the time, 0 to below 1
+     */
     public EvaluationOptions withSkipFirstShare(double share) {
         return new EvaluationOptions(share, windowUs, convergenceBinUs, convergenceBins);
     }

@@ -61,7 +61,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         return rows;
     }
 
-    /** Tables of aligned columns; lines end in LF. */
+    /** {@return tables of aligned columns; lines end in LF} */
     public String text() {
         Evaluation evaluation = run.evaluation();
         StringBuilder text = new StringBuilder();
@@ -79,7 +79,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         return text.toString();
     }
 
-    /** A row a figure, a column an object. */
+    /** A row per figure, a column an object. */
     private static void table(StringBuilder text, String title, List<Column> columns) {
         text.append('\n').append(String.format(Locale.ROOT, "%-" + NAME_WIDTH + "s", title));
         columns.forEach(column -> cell(text, column.of));
@@ -117,9 +117,10 @@ public record EvaluationReport(String version, String recording, String truth, S
     }
 
     /**
-     * Writes one line a figure, {@value #CSV_HEADER}: section is flow, noise, segmentation or convergence; of is
+     * Writes one line per figure, {@value #CSV_HEADER}: section is flow, noise, segmentation or convergence; of is
      * {@code all}, an object's id, or a bin's begin in µs. Leaves the stream open.
      *
+     * @param out gets the text; left open
      * @throws IOException where it cannot be written
      */
     public void writeCsv(OutputStream out) throws IOException {
@@ -128,8 +129,9 @@ public record EvaluationReport(String version, String recording, String truth, S
     }
 
     /**
-     * The lines of the CSV form without the first, for a file that holds several evaluations.
+     * {@return the lines of the CSV form without the first, for a file that holds several evaluations}
      *
+     * @param evaluation the figures
      * @param prefix before each line: the values of further columns on the left, each with its comma
      */
     public static String csvLines(Evaluation evaluation, String prefix) {
@@ -150,6 +152,7 @@ public record EvaluationReport(String version, String recording, String truth, S
     /**
      * Writes a JSON document; leaves the stream open.
      *
+     * @param out gets the text; left open
      * @throws IOException where it cannot be written
      */
     public void writeJson(OutputStream out) throws IOException {

@@ -23,6 +23,8 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
      * @param source read to its end or its damage, not closed
      * @param truth just opened; not closed
      * @param method made for the source's sensor
+     * @param options what counts
+     * @return what came of it
      * @throws TruthException where the truth is malformed or of another recording
      * @throws IOException where the truth cannot be read
      */
@@ -51,7 +53,7 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         return new EvaluationRun(Evaluation.of(truth.truth(), estimate, options), damage, methodNs * 1e-9);
     }
 
-    /** Events a second of the method's own time; 0 where none passed. */
+    /** {@return events per second of the method's own time; 0 where none passed} */
     public double eventsPerSecond() {
         return methodSeconds > 0 ? evaluation.events() / methodSeconds : 0;
     }

@@ -33,6 +33,7 @@ public final class FlowEstimate {
      * @param vxPxPerS velocity to the right in px/s
      * @param vyPxPerS velocity downwards in px/s
      * @param segment id of the segment, 0 where the event has no flow
+     * @return the estimate
      * @throws IllegalArgumentException where lengths differ
      */
     public static FlowEstimate of(float[] vxPxPerS, float[] vyPxPerS, int[] segment) {
@@ -46,7 +47,9 @@ public final class FlowEstimate {
     /**
      * Lets a method label a simulated recording.
      *
+     * @param recording what is labelled
      * @param method made for the recording's sensor; not reset before
+     * @return the estimate
      */
     public static FlowEstimate of(SimulatedRecording recording, EventLabeller method) {
         FlowEstimate estimate = new FlowEstimate();
@@ -57,6 +60,7 @@ public final class FlowEstimate {
     /**
      * Lets a method label what follows in a simulated recording, and appends it.
      *
+     * @param recording what is labelled
      * @param method has labelled all events of this estimate
      * @param until event to stop before
      */
@@ -95,27 +99,43 @@ public final class FlowEstimate {
         size = needed;
     }
 
-    /** How many events there are. */
+    /** {@return the number of events} */
     public int size() {
         return size;
     }
 
-    /** Velocity of event i to the right in px/s; means something only where {@link #hasFlow}. */
+    /**
+     * {@return the velocity of event i to the right in px/s; means something only where {@link #hasFlow}}
+     *
+     * @param i number of the event, from 0
+     */
     public float vxPxPerS(int i) {
         return vxPxPerS[i];
     }
 
-    /** Velocity of event i downwards in px/s. */
+    /**
+     * {@return the velocity of event i downwards in px/s}
+     *
+     * @param i number of the event, from 0
+     */
     public float vyPxPerS(int i) {
         return vyPxPerS[i];
     }
 
-    /** Segment of event i, 0 where it has none. */
+    /**
+     * {@return the segment of event i, 0 where it has none}
+     *
+     * @param i number of the event, from 0
+     */
     public int segment(int i) {
         return segment[i];
     }
 
-    /** Whether event i was given a velocity. */
+    /**
+     * {@return whether event i was given a velocity}
+     *
+     * @param i number of the event, from 0
+     */
     public boolean hasFlow(int i) {
         return segment[i] != 0;
     }

@@ -49,27 +49,30 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
     /** A relative endpoint error above this is a relative outlier, in %. */
     public static final double RELATIVE_OUTLIER_PERCENT = 5;
 
-    /** Share of the object's events that have flow, 0 where there are none. */
+    /** {@return the share of the object's events that have flow, 0 where there are none} */
     public double shareWithFlow() {
         return share(eventsWithFlow, events);
     }
 
-    /** Share of outliers among the events with flow. */
+    /** {@return the share of outliers among the events with flow} */
     public double outlierShare() {
         return share(outliers, eventsWithFlow);
     }
 
-    /** Share of relative outliers among the events that have a relative endpoint error. */
+    /** {@return the share of relative outliers among the events that have a relative endpoint error} */
     public double relativeOutlierShare() {
         return share(relativeOutliers, relativeEndpointErrorPercent.count());
     }
 
-    /** Mean endpoint error in % of the greatest true speed: for objects that turn round, where |v| passes 0. */
+    /**
+     * {@return the mean endpoint error in % of the greatest true speed} For objects that turn round, where |v| passes
+     * 0.
+     */
     public double endpointErrorPercentOfPeak() {
         return peakTrueSpeedPxPerS == 0 ? 0 : 100 * endpointErrorPxPerS.mean() / peakTrueSpeedPxPerS;
     }
 
-    /** Share of runaways among the events with flow. */
+    /** {@return the share of runaways among the events with flow} */
     public double runawayShare() {
         return share(runaways, eventsWithFlow);
     }
@@ -141,15 +144,27 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         }
     }
 
-    /** Magnitude error of the estimate u of the true velocity v, which is not 0, in %. */
+    /**
+     * {@return the magnitude error of the estimate u of the true velocity v, which is not 0, in %}
+     *
+     * @param vx true velocity to the right, px/s
+     * @param vy true velocity downwards, px/s
+     * @param ux estimated velocity to the right, px/s
+     * @param uy estimated velocity downwards, px/s
+     */
     public static double magnitudeErrorPercent(double vx, double vy, double ux, double uy) {
         double speed = Math.hypot(vx, vy);
         return 100 * (Math.hypot(ux, uy) - speed) / speed;
     }
 
     /**
-     * Angle from the true velocity v to the estimate u, in degrees, in (-180, 180]; positive clockwise on screen. The
-     * cross and dot product together keep tiny angles exact, which an arc cosine does not.
+     * {@return the angle from the true velocity v to the estimate u, in degrees, above -180 to 180} Positive is
+     * clockwise on screen. The cross and dot product together keep tiny angles exact, which an arc cosine does not.
+     *
+     * @param vx true velocity to the right, px/s
+     * @param vy true velocity downwards, px/s
+     * @param ux estimated velocity to the right, px/s
+     * @param uy estimated velocity downwards, px/s
      */
     public static double directionErrorDeg(double vx, double vy, double ux, double uy) {
         return Math.toDegrees(Math.atan2(vx * uy - vy * ux, vx * ux + vy * uy));

@@ -17,6 +17,10 @@ public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int
     /**
      * Checks the arrays.
      *
+     * @param timeUs time in µs, never falling
+     * @param vxPxPerS velocity of the object's surface at the event, to the right, in px/s
+     * @param vyPxPerS the same downwards
+     * @param object id of the object that caused the event, from 1; 0 where it is noise
      * @throws IllegalArgumentException where lengths differ, time falls, an id is negative or a velocity is not finite
      */
     public GroundTruth {
@@ -41,14 +45,18 @@ public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int
         }
     }
 
-    /** What the simulator knows of its recording; the recording's own arrays. */
+    /**
+     * {@return what the simulator knows of its recording; the recording's own arrays}
+     *
+     * @param recording of the simulator
+     */
     public static GroundTruth of(SimulatedRecording recording) {
         return new GroundTruth(recording.timeUs, recording.vxPxPerS, recording.vyPxPerS, recording.object);
     }
 
     /**
-     * The first event that counts where a share of the time is left out at the beginning: the first whose time is at
-     * least first + share (last - first).
+     * {@return the first event that counts if a share of the time is left out at the beginning} Its time is the first
+     * that is at least first + share (last - first).
      *
      * @param skipFirstShare 0 to below 1
      */
@@ -65,7 +73,7 @@ public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int
         return i;
     }
 
-    /** How many events there are. */
+    /** {@return the number of events} */
     public int size() {
         return timeUs.length;
     }

@@ -18,6 +18,8 @@ public final class KnownTranslations {
     /**
      * Reads those of a file, if it is there; what is not a line of {@link #write} is passed over and found anew.
      *
+     * @param file the file
+     * @return what the file holds; nothing where there is none
      * @throws IOException where it cannot be read
      */
     public static KnownTranslations read(Path file) throws IOException {
@@ -38,6 +40,7 @@ public final class KnownTranslations {
     /**
      * Writes them as lines of recording, first and last time of the window, its events, and the velocity.
      *
+     * @param file the file
      * @throws IOException where the file cannot be written
      */
     public synchronized void write(Path file) throws IOException {

@@ -135,7 +135,7 @@ final class NamedFigures {
         return value == null ? "-" : text(value, 3);
     }
 
-    /** Appends one line a figure: section, of, figure, value. */
+    /** Appends one line per figure: section, of, figure, value. */
     static void appendCsv(StringBuilder csv, String section, String of, Map<String, Number> figures) {
         figures.forEach((figure, value) -> csv.append(section).append(',').append(of).append(',').append(figure)
                 .append(',').append(value == null ? "" : text(value)).append('\n'));

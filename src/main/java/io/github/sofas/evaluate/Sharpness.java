@@ -39,42 +39,46 @@ public record Sharpness(List<SharpnessWindow> windows) {
     /** A single translation that sharpens by less has no gain to be held against. */
     public static final double LEAST_TRANSLATION_GAIN = 0.001;
 
-    /** Makes the list immutable. */
+    /**
+     * Makes the list immutable.
+     *
+     * @param windows every window, in order
+     */
     public Sharpness {
         windows = List.copyOf(windows);
     }
 
-    /** Sharpness of the flow; 1 where there is no variance. */
+    /** {@return the sharpness of the flow; 1 where there is no variance} */
     public double sharpness() {
         return ratio(movedVariance(), variance());
     }
 
-    /** Sharpness of the best single translation of each window, at least 1. */
+    /** {@return the sharpness of the best single translation of each window, at least 1} */
     public double translationSharpness() {
         return ratio(translatedVariance(), variance());
     }
 
-    /** Whether the best single translations sharpen the picture enough for a gain. */
+    /** {@return whether the best single translations sharpen the picture enough for a gain} */
     public boolean hasGain() {
         return hasGain(translationSharpness());
     }
 
-    /** Gain of the flow over the best single translation; means something only where {@link #hasGain}. */
+    /** {@return the gain of the flow over the best single translation; means something only where {@link #hasGain}} */
     public double gain() {
         return gain(sharpness(), translationSharpness());
     }
 
-    /** How many events there are. */
+    /** {@return the number of events} */
     public long events() {
         return windows.stream().mapToLong(SharpnessWindow::events).sum();
     }
 
-    /** How many of them have flow. */
+    /** {@return how many of them have flow} */
     public long eventsWithFlow() {
         return windows.stream().mapToLong(SharpnessWindow::eventsWithFlow).sum();
     }
 
-    /** Share of the events that have flow. */
+    /** {@return the share of the events that have flow} */
     public double shareWithFlow() {
         return FlowFigures.share(eventsWithFlow(), events());
     }
@@ -113,7 +117,11 @@ public record Sharpness(List<SharpnessWindow> windows) {
         private final MovedEvents window = new MovedEvents();
         private final List<SharpnessWindow> windows = new ArrayList<>();
 
-        /** Makes one for a sensor. */
+        /**
+         * Makes one for a sensor.
+         *
+         * @param sensor size of the pixel array
+         */
         public Gatherer(SensorSize sensor) {
             this(sensor, new KnownTranslations(), "");
         }
@@ -121,6 +129,8 @@ public record Sharpness(List<SharpnessWindow> windows) {
         /**
          * Makes one that looks up the best single translations, and adds those that are not known.
          *
+         * @param sensor size of the pixel array
+         * @param known translations that were found before; new ones are added
          * @param recording what the recording is called among them
          */
         public Gatherer(SensorSize sensor, KnownTranslations known, String recording) {
@@ -131,7 +141,12 @@ public record Sharpness(List<SharpnessWindow> windows) {
             translation = new SingleTranslation(sensor);
         }
 
-        /** Adds a batch and what a method said of it; the windows do not depend on how events are cut into batches. */
+        /**
+         * Adds a batch and what a method said of it; the windows do not depend on how events are cut into batches.
+         *
+         * @param batch the events
+         * @param flow labels of the same events
+         */
         public void add(EventBatch batch, FlowOutput flow) {
             for (int i = 0; i < batch.size(); i++) {
                 if (window.size() > 0 && batch.timeUs[i] - window.firstUs() >= LONGEST_US) {
@@ -155,7 +170,11 @@ public record Sharpness(List<SharpnessWindow> windows) {
             window.clear();
         }
 
-        /** Ends the last window and gives the figures; nothing can be added after. */
+        /**
+         * Ends the last window and gives the figures; nothing can be added after.
+         *
+         * @return the figures
+         */
         public Sharpness sharpness() {
             if (window.size() > 0) {
                 endWindow();

@@ -24,7 +24,7 @@ public record SharpnessReport(String version, String recording, String method, S
                               Map<String, Object> parameters, SharpnessRun run) {
     private static final int COLUMN_WIDTH = 12;
 
-    /** A line of totals, then a table of the windows; lines end in LF. */
+    /** {@return a line of totals, then a table of the windows; lines end in LF} */
     public String text() {
         Sharpness sharpness = run.sharpness();
         StringBuilder text = new StringBuilder();
@@ -70,9 +70,10 @@ public record SharpnessReport(String version, String recording, String method, S
     }
 
     /**
-     * Writes one line a figure, {@value EvaluationReport#CSV_HEADER}: section is sharpness; of is {@code all} or the
+     * Writes one line per figure, {@value EvaluationReport#CSV_HEADER}: section is sharpness; of is {@code all} or the
      * number of a window from 0. Leaves the stream open.
      *
+     * @param out gets the text; left open
      * @throws IOException where it cannot be written
      */
     public void writeCsv(OutputStream out) throws IOException {
@@ -88,6 +89,7 @@ public record SharpnessReport(String version, String recording, String method, S
     /**
      * Writes a JSON document; leaves the stream open.
      *
+     * @param out gets the text; left open
      * @throws IOException where it cannot be written
      */
     public void writeJson(OutputStream out) throws IOException {

@@ -21,6 +21,7 @@ public record SharpnessRun(Sharpness sharpness, EventSourceException damage, dou
      *
      * @param source read to its end or its damage, not closed
      * @param method made for the source's sensor
+     * @return what came of it
      */
     public static SharpnessRun of(EventSource source, EventLabeller method) {
         EventBatch batch = new EventBatch(BATCH);
@@ -41,7 +42,7 @@ public record SharpnessRun(Sharpness sharpness, EventSourceException damage, dou
         return new SharpnessRun(gatherer.sharpness(), damage, methodNs * 1e-9);
     }
 
-    /** Events a second of the method's own time; 0 where none passed. */
+    /** {@return events per second of the method's own time; 0 where none passed} */
     public double eventsPerSecond() {
         return methodSeconds > 0 ? sharpness.events() / methodSeconds : 0;
     }

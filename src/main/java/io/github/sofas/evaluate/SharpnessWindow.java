@@ -17,17 +17,17 @@ package io.github.sofas.evaluate;
 public record SharpnessWindow(long fromUs, long untilUs, long events, long eventsWithFlow, double variance,
                               double movedVariance, double translatedVariance, double translationVxPxPerS,
                               double translationVyPxPerS) {
-    /** Sharpness of the flow; 1 where the picture as it is has no variance. */
+    /** {@return the sharpness of the flow; 1 where the picture as it is has no variance} */
     public double sharpness() {
         return Sharpness.ratio(movedVariance, variance);
     }
 
-    /** Sharpness of the best single translation, at least 1. */
+    /** {@return the sharpness of the best single translation, at least 1} */
     public double translationSharpness() {
         return Sharpness.ratio(translatedVariance, variance);
     }
 
-    /** Share of the events that have flow. */
+    /** {@return the share of the events that have flow} */
     public double shareWithFlow() {
         return FlowFigures.share(eventsWithFlow, events);
     }

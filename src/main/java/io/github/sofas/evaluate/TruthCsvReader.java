@@ -34,6 +34,8 @@ public final class TruthCsvReader implements Closeable {
     /**
      * Opens a file and checks its first line.
      *
+     * @param file the file
+     * @return the reader
      * @throws TruthException where that is another
      * @throws IOException where it cannot be read
      */
@@ -48,6 +50,7 @@ public final class TruthCsvReader implements Closeable {
     /**
      * Reads the lines of the next events of the recording.
      *
+     * @param batch the events whose truth comes next in the file
      * @throws TruthException where a line is missing, malformed or of another event
      * @throws IOException where the file cannot be read
      */
@@ -98,7 +101,7 @@ public final class TruthCsvReader implements Closeable {
         }
     }
 
-    /** The truth of the events read so far. */
+    /** {@return the truth of the events read so far} */
     public GroundTruth truth() {
         return new GroundTruth(Arrays.copyOf(timeUs, size), Arrays.copyOf(vxPxPerS, size),
                 Arrays.copyOf(vyPxPerS, size), Arrays.copyOf(object, size));

@@ -35,17 +35,17 @@ public final class EventBatch {
         polarity = new byte[capacity];
     }
 
-    /** The most events that fit. */
+    /** {@return the most events that fit} */
     public int capacity() {
         return timeUs.length;
     }
 
-    /** How many events are held. */
+    /** {@return how many events are held} */
     public int size() {
         return size;
     }
 
-    /** Whether no further event fits. */
+    /** {@return whether no further event fits} */
     public boolean isFull() {
         return size == timeUs.length;
     }
@@ -58,6 +58,10 @@ public final class EventBatch {
     /**
      * Appends one event.
      *
+     * @param eventTimeUs time in µs
+     * @param eventX column of the pixel, from 0 at the left
+     * @param eventY row of the pixel, from 0 at the top
+     * @param eventPolarity 1 for ON, -1 for OFF
      * @throws ArrayIndexOutOfBoundsException where the batch is full
      */
     public void add(long eventTimeUs, int eventX, int eventY, int eventPolarity) {
@@ -88,6 +92,7 @@ public final class EventBatch {
     /**
      * Says how many entries are valid, after a caller wrote the arrays itself.
      *
+     * @param newSize from 0 to {@link #capacity}
      * @throws IllegalArgumentException where the size is negative or above the capacity
      */
     public void setSize(int newSize) {

@@ -4,12 +4,21 @@ package io.github.sofas.event;
 public class EventSourceException extends Exception {
     private static final long serialVersionUID = 1L;
 
-    /** Makes one without a cause. */
+    /**
+     * Makes one without a cause.
+     *
+     * @param message what is wrong, for the user
+     */
     public EventSourceException(String message) {
         super(message);
     }
 
-    /** Makes one with its cause. */
+    /**
+     * Makes one with its cause.
+     *
+     * @param message what is wrong, for the user
+     * @param cause what it came from
+     */
     public EventSourceException(String message, Throwable cause) {
         super(message, cause);
     }

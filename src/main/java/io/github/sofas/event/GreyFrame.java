@@ -13,6 +13,10 @@ public record GreyFrame(long timeUs, int width, int height, byte[] levels) {
     /**
      * Checks the size.
      *
+     * @param timeUs time in µs, on the events' clock
+     * @param width columns
+     * @param height rows
+     * @param levels brightness from 0, dark, to 255, as unsigned bytes, row by row; not to be changed
      * @throws IllegalArgumentException where there is not one level for each pixel
      */
     public GreyFrame {
@@ -22,7 +26,12 @@ public record GreyFrame(long timeUs, int width, int height, byte[] levels) {
         }
     }
 
-    /** Brightness of a pixel, 0 to 255. */
+    /**
+     * {@return the brightness of a pixel, 0 to 255}
+     *
+     * @param x column of the pixel, from 0 at the left
+     * @param y row of the pixel, from 0 at the top
+     */
     public int level(int x, int y) {
         return levels[y * width + x] & 0xFF;
     }

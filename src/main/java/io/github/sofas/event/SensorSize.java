@@ -15,6 +15,8 @@ public record SensorSize(int width, int height) {
     /**
      * Checks both sides.
      *
+     * @param width columns, 1 to {@value #MAX_WIDTH}
+     * @param height rows, 1 to {@value #MAX_HEIGHT}
      * @throws IllegalArgumentException where a side is outside its range
      */
     public SensorSize {
@@ -27,12 +29,22 @@ public record SensorSize(int width, int height) {
         }
     }
 
-    /** Whether a pixel lies on the sensor. */
+    /**
+     * {@return whether a pixel lies on the sensor}
+     *
+     * @param x column of the pixel, from 0 at the left
+     * @param y row of the pixel, from 0 at the top
+     */
     public boolean contains(int x, int y) {
         return x >= 0 && x < width && y >= 0 && y < height;
     }
 
-    /** The rule that a pixel outside the sensor breaks, with its value, as messages have it; null for one on it. */
+    /**
+     * {@return the rule that a pixel breaks, with its value, as messages have it; null for one on the sensor}
+     *
+     * @param x column of the pixel, from 0 at the left
+     * @param y row of the pixel, from 0 at the top
+     */
     public String brokenRule(int x, int y) {
         if (x < 0 || y < 0) {
             return x < 0 ? "x must not be negative but was " + x : "y must not be negative but was " + y;

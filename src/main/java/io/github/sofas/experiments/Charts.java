@@ -24,7 +24,7 @@ final class Charts {
     private static final int PIXELS_PER_PX = 2;
     private static final Color CLEAR = new Color(0, 0, 0, 0);
 
-    /** The colours of a page. Inks are of Okabe and Ito's palette, which colour-blind people tell apart. */
+    /** The colours of a page. Inks are of Okabe and Ito's palette, which colour-blind people can distinguish. */
     private enum Theme {
         LIGHT(0x222222, 0xDDDDDD, new int[] {0x222222, 0x0072B2, 0x009E73, 0xD55E00, 0xB0559A},
             new int[] {0x0072B2, 0xD55E00, 0x009E73, 0xB0559A, 0x8A6D00, 0x2E9AD0}),

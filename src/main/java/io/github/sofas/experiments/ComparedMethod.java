@@ -42,7 +42,7 @@ public enum ComparedMethod {
         return title;
     }
 
-    /** Whether it tells segments apart; the others give segment 1 to every event with flow. */
+    /** Whether it finds segments; the others give segment 1 to every event with flow. */
     boolean segmenting() {
         return segmenting;
     }

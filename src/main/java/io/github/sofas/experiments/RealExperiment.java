@@ -8,7 +8,7 @@ import java.util.List;
  * @param file its file name
  * @param about what is seen, and what is known to be true
  * @param header titles of the columns
- * @param rows a row a method
+ * @param rows per row a method
  * @param checks goals of the default preset
  * @param plots curves
  */

@@ -20,7 +20,7 @@ import java.util.function.IntPredicate;
  * measured in the recordings by hand, or by the camera's gyro.
  */
 enum RealExperiments {
-    /** A pan whose velocity the camera's gyro tells. */
+    /** A pan whose velocity is known from the camera's gyro. */
     BOXES("boxes-translation.aedat") {
         @Override
         RealExperiment on(Path file) throws EventSourceException {

@@ -69,7 +69,9 @@ public final class EventCsvReader implements Closeable {
     /**
      * Opens a file and checks its first line.
      *
+     * @param file the file
      * @param idColumn name of the last column
+     * @return the reader
      * @throws EventSourceException where that line is another
      * @throws IOException where it cannot be read
      */
@@ -113,37 +115,37 @@ public final class EventCsvReader implements Closeable {
         return true;
     }
 
-    /** Time of the event in µs. */
+    /** {@return the time of the event in µs} */
     public long timeUs() {
         return timeUs;
     }
 
-    /** Column of the event. */
+    /** {@return the column of the event} */
     public int x() {
         return x;
     }
 
-    /** Row of the event. */
+    /** {@return the row of the event} */
     public int y() {
         return y;
     }
 
-    /** Polarity of the event, 1 or -1. */
+    /** {@return the polarity of the event, 1 or -1} */
     public int polarity() {
         return polarity;
     }
 
-    /** Velocity to the right in px/s; 0 where the field is empty. */
+    /** {@return the velocity to the right in px/s; 0 where the field is empty} */
     public float vxPxPerS() {
         return vxPxPerS;
     }
 
-    /** Velocity downwards in px/s; 0 where the field is empty. */
+    /** {@return the velocity downwards in px/s; 0 where the field is empty} */
     public float vyPxPerS() {
         return vyPxPerS;
     }
 
-    /** Number in the last column, at least 0. */
+    /** {@return the number in the last column, at least 0} */
     public int id() {
         return id;
     }
@@ -172,12 +174,18 @@ public final class EventCsvReader implements Closeable {
         }
     }
 
-    /** What is wrong with the line that was read last, or that is missing. */
+    /**
+     * {@return what is wrong with the line that was read last, or that is missing}
+     *
+     * @param what the rule, the value
+     */
     public EventSourceException wrong(String what) {
         return new EventSourceException("[" + name + "] line " + line + ": " + what);
     }
 
-    /** The line that was read last; long or binary text is cut so that a message stays one line of a terminal. */
+    /**
+     * {@return the line that was read last; long or binary text is cut so that a message stays one line of a terminal}
+     */
     public String quotedLine() {
         return quoted(start, end);
     }

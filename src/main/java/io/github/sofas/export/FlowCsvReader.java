@@ -19,6 +19,8 @@ public final class FlowCsvReader implements Closeable {
     /**
      * Opens a file.
      *
+     * @param file written by {@link FlowCsvWriter}
+     * @return the reader
      * @throws EventSourceException where it cannot be read, or begins with another line than {@link FlowCsvWriter}'s
      */
     public static FlowCsvReader open(Path file) throws EventSourceException {
@@ -32,6 +34,7 @@ public final class FlowCsvReader implements Closeable {
     /**
      * Clears the batch and fills it, and the labels beside it, with the rows that follow.
      *
+     * @param batch is filled; what it held is forgotten
      * @param flow of the batch's capacity at least
      * @return false at the end
      * @throws EventSourceException where a row is malformed; every row before it was delivered

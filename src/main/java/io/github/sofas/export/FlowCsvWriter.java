@@ -55,6 +55,7 @@ public final class FlowCsvWriter implements AutoCloseable {
     /**
      * Writes the rows of a batch.
      *
+     * @param batch the events
      * @param flow labelled by the engine for this batch
      * @throws IOException where they cannot be written
      */

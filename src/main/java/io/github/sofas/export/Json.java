@@ -21,6 +21,7 @@ public final class Json {
      * Starts a document that ends in a line feed.
      *
      * @param out left open when the generator is closed
+     * @return the document
      * @throws IOException where it cannot be written
      */
     public static JsonGenerator open(OutputStream out) throws IOException {
@@ -43,6 +44,10 @@ public final class Json {
     /**
      * Writes a number with as many decimals as it means.
      *
+     * @param json the document
+     * @param name of the value
+     * @param value not a number is written as null
+     * @param decimals how many
      * @throws IOException where it cannot be written
      */
     public static void write(JsonGenerator json, String name, double value, int decimals) throws IOException {

@@ -26,12 +26,12 @@ public record RecordingSummary(String file, String format, String chip, SensorSi
                                long firstTimeUs, long lastTimeUs, Map<String, Long> counts, boolean complete,
                                List<String> faults, List<String> notes, double doubtfulShare) {
 
-    /** From the first event to the last in seconds. */
+    /** {@return from the first event to the last in seconds} */
     public double durationS() {
         return (lastTimeUs - firstTimeUs) / 1e6;
     }
 
-    /** DVS events a second of the recording; 0 where it has no duration. */
+    /** {@return DVS events per second of the recording; 0 where it has no duration} */
     public double eventsPerS() {
         return durationS() > 0 ? events / durationS() : 0;
     }
@@ -39,6 +39,7 @@ public record RecordingSummary(String file, String format, String chip, SensorSi
     /**
      * Writes a JSON object.
      *
+     * @param json the document, inside an object
      * @throws IOException where it cannot be written
      */
     public void write(JsonGenerator json) throws IOException {

@@ -81,7 +81,11 @@ public final class ResultFiles implements AutoCloseable {
         }
     }
 
-    /** Where a file that was started is until the commit, for writers that need more than a stream. */
+    /**
+     * {@return where a file that was started is until the commit, for writers that need more than a stream}
+     *
+     * @param file where it will be
+     */
     public synchronized Path temporary(Path file) {
         return temporaryByFinal.get(file);
     }

@@ -42,24 +42,28 @@ public record RunSummary(String version, String request, RecordingSummary record
     public record Seconds(double wall, double decode, double engine, double output) {
     }
 
-    /** Events with flow among all, 0 to 1; 0 where there is no event. */
+    /** {@return events with flow among all, 0 to 1; 0 where there is no event} */
     public double shareWithFlow() {
         return recording.events() == 0 ? 0 : (double) eventsWithFlow / recording.events();
     }
 
-    /** Events a second of wall time; 0 where none passed. */
+    /** {@return events per second of wall time; 0 where none passed} */
     public double eventsPerSecond() {
         return seconds.wall > 0 ? recording.events() / seconds.wall : 0;
     }
 
-    /** Track planes of one fate. */
+    /**
+     * {@return track planes of one fate}
+     *
+     * @param fate how they ended
+     */
     public long count(Segment.Fate fate) {
         return segments.stream().filter(segment -> segment.fate() == fate).count();
     }
 
     /**
-     * Track planes that hold at least a hundredth of the events with flow, with what was merged into them: as many as a
-     * person would count.
+     * {@return how many track planes a person would count} Those that hold at least a hundredth of the events with
+     * flow, with what was merged into them.
      */
     public long countLarge() {
         return segments.stream().filter(segment -> segment.fate() != Segment.Fate.MERGED
@@ -69,6 +73,7 @@ public record RunSummary(String version, String request, RecordingSummary record
     /**
      * Writes a JSON document; leaves the stream open.
      *
+     * @param out gets the text; left open
      * @throws IOException where it cannot be written
      */
     public void write(OutputStream out) throws IOException {

@@ -26,6 +26,7 @@ public final class SegmentsCsv {
     /**
      * Writes header and rows; leaves the stream open.
      *
+     * @param out gets the text; left open
      * @param segments in any order; none is given twice
      * @throws IOException where they cannot be written
      */

@@ -47,7 +47,11 @@ public final class WithoutFlow {
     private long flickering;
     private long alone;
 
-    /** Makes one for a recording of a sensor. */
+    /**
+     * Makes one for a recording of a sensor.
+     *
+     * @param sensor size of the sensor
+     */
     public WithoutFlow(SensorSize sensor) {
         width = sensor.width();
         height = sensor.height();
@@ -62,7 +66,12 @@ public final class WithoutFlow {
         Arrays.fill(runUs, NEVER);
     }
 
-    /** Adds a labelled batch; batches come in order. */
+    /**
+     * Adds a labelled batch; batches come in order.
+     *
+     * @param batch the events
+     * @param flow their labels
+     */
     public void add(EventBatch batch, FlowOutput flow) {
         for (int i = 0; i < batch.size(); i++) {
             if (!begun) {
@@ -116,7 +125,7 @@ public final class WithoutFlow {
         return true;
     }
 
-    /** The likely reason in words; empty where at least half of the events have flow. */
+    /** {@return the likely reason in words; empty where at least half of the events have flow} */
     public String likelyReason() {
         if (unlabelled <= MOST * events) {
             return "";

@@ -18,7 +18,7 @@ public interface EventLabeller {
      */
     void process(EventBatch batch, FlowOutput output);
 
-    /** What is known of the segments that live now; none where the method finds no segments. */
+    /** {@return what is known of the segments that live now; none where the method finds no segments} */
     default List<Segment> segments() {
         return List.of();
     }

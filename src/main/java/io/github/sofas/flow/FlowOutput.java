@@ -34,7 +34,7 @@ public final class FlowOutput {
         vyPxPerS[i] = vy;
     }
 
-    /** The largest batch that can be labelled. */
+    /** {@return the largest batch that can be labelled} */
     public int capacity() {
         return segment.length;
     }

@@ -18,17 +18,22 @@ public final class MetricArray {
         this.perEvent = perEvent;
     }
 
-    /** How rows and columns are laid out. */
+    /** {@return how rows and columns are laid out} */
     public SofasParameters.Preset preset() {
         return preset;
     }
 
-    /** Rows, and columns. */
+    /** {@return rows, and columns} */
     public int n() {
         return n;
     }
 
-    /** Metric an event that the projection holds: about 1 for chance; 0 where it holds none. */
+    /**
+     * {@return the metric per event that the projection holds: about 1 for chance; 0 where it holds none}
+     *
+     * @param row from 0 to n - 1
+     * @param column from 0 to n - 1
+     */
     public float perEvent(int row, int column) {
         return perEvent[row * n + column];
     }

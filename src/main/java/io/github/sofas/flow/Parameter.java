@@ -22,31 +22,31 @@ public @interface Parameter {
     /** The value of a preset that makes no use of the parameter. */
     double UNUSED = Double.NaN;
 
-    /** Meaning in one line, without unit and range. */
+    /** {@return the meaning in one line, without unit and range} */
     String value();
 
-    /** Where it comes from: the paper, or why it is ours. */
+    /** {@return where it comes from: the paper, or why it is ours} */
     String origin();
 
-    /** Unit, empty for a plain number. */
+    /** {@return the unit, empty for a plain number} */
     String unit() default "";
 
-    /** Smallest allowed value; unused for switches. */
+    /** {@return the smallest allowed value; unused for switches} */
     double min() default 0;
 
-    /** Largest allowed value; unused for switches. */
+    /** {@return the largest allowed value; unused for switches} */
     double max() default 1;
 
-    /** Value in the preset {@code default}. */
+    /** {@return the value in the preset {@code default}} */
     double defaults() default UNUSED;
 
-    /** Value in the preset {@code paper}. */
+    /** {@return the value in the preset {@code paper}} */
     double paper() default UNUSED;
 
-    /** Another parameter that it must not be below, where the preset makes use of both; empty for none. */
+    /** {@return another parameter that it must not be below, where the preset makes use of both; empty for none} */
     String atLeast() default "";
 
-    /** How many times as great as {@link #atLeast} it must be at least. */
+    /** {@return how many times as great as {@link #atLeast} it must be at least} */
     double times() default 1;
 
     /** What a group of parameters is about, in one or two words. */
@@ -54,7 +54,7 @@ public @interface Parameter {
     @Retention(RetentionPolicy.RUNTIME)
     @Target(ElementType.RECORD_COMPONENT)
     @interface Group {
-        /** The words. */
+        /** {@return the words} */
         String value();
     }
 }

@@ -37,14 +37,15 @@ public final class ParameterHandle {
         return List.copyOf(found);
     }
 
-    /** Every parameter but the preset, group by group. */
+    /** {@return every parameter but the preset, group by group} */
     public static List<ParameterHandle> all() {
         return ALL;
     }
 
     /**
-     * The parameter of a name.
+     * {@return the parameter of a name}
      *
+     * @param name as {@code lifetimePx}
      * @throws IllegalArgumentException where none is called so
      */
     public static ParameterHandle named(String name) {
@@ -60,32 +61,36 @@ public final class ParameterHandle {
         throw new IllegalArgumentException("no parameter is called \"" + name + "\"; there are " + known);
     }
 
-    /** Its name, as {@code lifetimePx}. */
+    /** {@return its name, as {@code lifetimePx}} */
     public String name() {
         return component.getName();
     }
 
-    /** What the group that it belongs to is about. */
+    /** {@return what the group that it belongs to is about} */
     public String group() {
         return group.getAnnotation(Parameter.Group.class).value();
     }
 
-    /** What is declared of it. */
+    /** {@return what is declared of it} */
     public Parameter declaration() {
         return declaration;
     }
 
-    /** Whether it is true or false, not a number. */
+    /** {@return whether it is true or false, not a number} */
     public boolean isSwitch() {
         return component.getType() == boolean.class;
     }
 
-    /** Whether it takes whole numbers only. */
+    /** {@return whether it takes whole numbers only} */
     public boolean isWhole() {
         return component.getType() == int.class || component.getType() == long.class;
     }
 
-    /** Whether a preset makes use of it. */
+    /**
+     * {@return whether a preset makes use of it}
+     *
+     * @param preset the preset
+     */
     public boolean isUsedBy(Preset preset) {
         return !Double.isNaN(declared(preset));
     }
@@ -94,26 +99,42 @@ public final class ParameterHandle {
         return preset == Preset.PAPER ? declaration.paper() : declaration.defaults();
     }
 
-    /** Its value: a Boolean, Integer, Long or Double. */
+    /**
+     * {@return its value: a Boolean, Integer, Long or Double}
+     *
+     * @param parameters where it is looked up
+     */
     public Object get(SofasParameters parameters) {
         return value(component, value(group, parameters));
     }
 
-    /** Its value as a number; of a switch, {@link Parameter#ON} or {@link Parameter#OFF}. */
+    /**
+     * {@return its value as a number; of a switch, {@link Parameter#ON} or {@link Parameter#OFF}}
+     *
+     * @param parameters where it is looked up
+     */
     public double number(SofasParameters parameters) {
         Object value = get(parameters);
         return value instanceof Boolean ? (Boolean) value ? Parameter.ON : Parameter.OFF
             : ((Number) value).doubleValue();
     }
 
-    /** The smallest value that it takes while the others stay as they are. */
+    /**
+     * {@return the smallest value that it takes while the others stay as they are}
+     *
+     * @param parameters where it is looked up
+     */
     public double least(SofasParameters parameters) {
         double least = declaration.min();
         return declaration.atLeast().isEmpty() || !isUsedBy(parameters.preset()) ? least
             : Math.max(least, declaration.times() * named(declaration.atLeast()).number(parameters));
     }
 
-    /** The greatest value that it takes while the others stay as they are. */
+    /**
+     * {@return the greatest value that it takes while the others stay as they are}
+     *
+     * @param parameters where it is looked up
+     */
     public double most(SofasParameters parameters) {
         double most = declaration.max();
         for (ParameterHandle each : ALL) {

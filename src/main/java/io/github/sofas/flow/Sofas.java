@@ -38,7 +38,12 @@ public final class Sofas implements EventLabeller {
     private long outside;
     private long backwards;
 
-    /** Makes an engine for a sensor. */
+    /**
+     * Makes an engine for a sensor.
+     *
+     * @param sensor size of the pixel array
+     * @param parameters what events are labelled with
+     */
     public Sofas(SensorSize sensor, SofasParameters parameters) {
         this(sensor, parameters, segment -> { });
     }
@@ -46,6 +51,8 @@ public final class Sofas implements EventLabeller {
     /**
      * Makes an engine that also reports segments when they end.
      *
+     * @param sensor size of the pixel array
+     * @param parameters what events are labelled with
      * @param ended gets each segment whose track plane was merged into another or removed, from within
      *     {@link #process} or {@link #reset}; it must not call the engine
      */
@@ -63,14 +70,14 @@ public final class Sofas implements EventLabeller {
     }
 
     /**
-     * The most memory that an engine holds, whatever the events: the sum of its arrays, as large as they may grow, in
-     * bytes. For 240 x 180 px it is 99 MB with the default preset and 275 MB with the paper's, with 64 track planes;
-     * with one, 57 and 44 MB.
+     * {@return the upper bound of the memory that an engine holds, in bytes, whatever the events} It is the sum of its
+     * arrays, as large as they may grow. For 240 x 180 px it is 99 MB with the default preset and 275 MB with the
+     * paper's, with 64 track planes; with one, 57 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
-     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most; 9 bytes a pixel; 8 bytes for each
-     * cell of the grid that motion is measured on; and for each track plane 4 bytes for each of (w + 48) (h + 48)
+     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most; 9 bytes per pixel; 8 bytes for
+     * each cell of the grid that motion is measured on; and for each track plane 4 bytes for each of (w + 48) (h + 48)
      * cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 19 for each of its 16,384 live events at most, and
      * 41,000 for the places that it was at and what it looked like there.
      *
@@ -78,18 +85,21 @@ public final class Sofas implements EventLabeller {
      * travel during the lifespan, rounded up to powers of two, at most 4,096; 9 for each cell of the plane that a
      * structure is refined on, at most 4,098²; and for each track plane 32 bytes for each cell of sensor and farthest
      * travel, and 24 for each of the 65,536 events that its arrays have room for.
+     *
+     * @param sensor size of the pixel array
+     * @param parameters what events are labelled with
      */
     public static long mostBytes(SensorSize sensor, SofasParameters parameters) {
         return FIXED_BYTES + (parameters.preset() == SofasParameters.Preset.PAPER
             ? PaperMethod.mostBytes(sensor, parameters) : RefinedMethod.mostBytes(sensor, parameters));
     }
 
-    /** The sensor that the engine was made for. */
+    /** {@return the sensor that the engine was made for} */
     public SensorSize sensor() {
         return sensor;
     }
 
-    /** The parameters that the next batch is labelled with. */
+    /** {@return the parameters that the next batch is labelled with} */
     public SofasParameters parameters() {
         return parameters;
     }
@@ -101,6 +111,8 @@ public final class Sofas implements EventLabeller {
      * looks for, the events that wait there are forgotten; where fewer track planes are allowed, the excess ends; of
      * the paper preset, all segments end where the velocity scale changes or the size of its accumulators. Another
      * preset begins anew, as {@link #reset} does.
+     *
+     * @param parameters what events are labelled with
      */
     public void setParameters(SofasParameters parameters) {
         this.parameters = Objects.requireNonNull(parameters, "parameters");
@@ -159,7 +171,7 @@ public final class Sofas implements EventLabeller {
         return method.segments();
     }
 
-    /** The metrics of the flow plane as they are now, to be shown. */
+    /** {@return the metrics of the flow plane as they are now, to be shown} */
     public synchronized MetricArray metricArray() {
         return method.metricArray();
     }
@@ -176,12 +188,12 @@ public final class Sofas implements EventLabeller {
         method.contour(id, newestUs, pixels);
     }
 
-    /** How many events lay outside the sensor since the start or the last reset. */
+    /** {@return how many events lay outside the sensor since the start or the last reset} */
     public synchronized long eventsOutside() {
         return outside;
     }
 
-    /** How many events were earlier than one before them, since the start or the last reset. */
+    /** {@return how many events were earlier than one before them, since the start or the last reset} */
     public synchronized long eventsBackwards() {
         return backwards;
     }

@@ -108,6 +108,10 @@ public record SofasParameters(
     /**
      * Checks every parameter.
      *
+     * @param preset which of the two methods the others belong to
+     * @param search how new structures are looked for
+     * @param track how structures are tracked
+     * @param published what the paper preset only needs
      * @throws IllegalArgumentException where one is outside its range; the message names it
      */
     public SofasParameters {
@@ -117,25 +121,30 @@ public record SofasParameters(
         ParameterHandle.check(preset, search, track, published);
     }
 
-    /** The method as published (Stoffregen and Kleeman, ACRA 2017); where the paper gives no number, ours. */
+    /** {@return the method as published (Stoffregen and Kleeman, ACRA 2017); where the paper gives no number, ours} */
     public static SofasParameters paper() {
         return of(Preset.PAPER);
     }
 
-    /** The most accurate preset, and the one to start from. */
+    /** {@return the most accurate preset, and the one to start from} */
     public static SofasParameters defaults() {
         return of(Preset.DEFAULT);
     }
 
-    /** The parameters of a preset. */
+    /**
+     * {@return the parameters of a preset}
+     *
+     * @param preset the preset
+     */
     public static SofasParameters of(Preset preset) {
         return ParameterHandle.preset(preset);
     }
 
     /**
-     * The same with another value of one number.
+     * {@return the same with another value of one number}
      *
      * @param name of a parameter, as {@code lifetimePx}
+     * @param value its new value
      * @throws IllegalArgumentException where none is called so, it is a switch, or the value is outside its range
      */
     public SofasParameters with(String name, double value) {
@@ -143,9 +152,10 @@ public record SofasParameters(
     }
 
     /**
-     * The same with another position of one switch.
+     * {@return the same with another position of one switch}
      *
      * @param name of a parameter, as {@code rotation}
+     * @param value its new value
      * @throws IllegalArgumentException where none is called so, or it is a number
      */
     public SofasParameters with(String name, boolean value) {
@@ -153,7 +163,7 @@ public record SofasParameters(
     }
 
     /**
-     * The same with other values of several parameters, which may bound each other.
+     * {@return the same with other values of several parameters, which may bound each other}
      *
      * @param values a Number or a Boolean by the name of its parameter
      * @throws IllegalArgumentException where a name is none, or a value is wrong

@@ -56,7 +56,7 @@
  *     memory, three wanderers: 0.50 before, 0.74 after.
  * <li><b>Two grids.</b> Up to 1,900 events vote on two grids half a cell apart: on one, a thin edge in the middle of a
  *     cell has a greater metric than between two, at its true velocity too. The synthetic square (24 px, no noise)
- *     swung by 2 px/s, now by up to 1; a regular edge of an event a pixel ran away to five times its speed.
+ *     swung by 2 px/s, now by up to 1; a regular edge of an event per pixel ran away to five times its speed.
  * <li><b>A quarter of the live events</b> at least is measured: the direction of four rectangles, known from the ends
  *     of their edges only, had an sd of 1.7 degrees with 2,000 of 14,000. With the acceleration along edges, of which
  *     nothing is known, left out of what shortens the lifetime, it has 0.4.
@@ -75,8 +75,8 @@
  *     ms, took 1.6 to 3.3 ms, now 1.1 to 1.7 (sixteen objects 13 and 9 ms). A new track plane gets what came while its
  *     piece was refined.
  * <li><b>Coarse to look, fine to measure.</b> The flow plane has 9 x 9 projections, as the paper's: 12 x 12 found
- *     nothing earlier, and labelled noise alone at 1.3 instead of 2.2 million events a second. A piece is fitted with a
- *     thousand of its events, and given up at once where it is sharper at rest than along its projection, which
+ *     nothing earlier, and labelled noise alone at 1.3 instead of 2.2 million events per second. A piece is fitted with
+ *     a thousand of its events, and given up at once where it is sharper at rest than along its projection, which
  *     spares half of the votes that were given in vain. Small circles, hexagons and rectangles at 10 to 480 px/s are
  *     found after 5.8, 4.5 and 5.1 px in the mean, and 7.8 px at worst; before, after 6.3, 5.0 and 5.5, and 11.2 px.
  * <li><b>Merging by metric.</b> Two planes are one structure when a common velocity, or a common rigid motion, costs

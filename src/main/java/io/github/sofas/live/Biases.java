@@ -65,7 +65,11 @@ public final class Biases {
         this.all = all;
     }
 
-    /** What is sensible for a kind of camera. */
+    /**
+     * {@return what is sensible for a kind of camera}
+     *
+     * @param model kind of camera
+     */
     public static Biases defaults(CameraModel model) {
         return switch (model) {
             case DAVIS240C -> DAVIS240;
@@ -79,13 +83,13 @@ public final class Biases {
         return Collections.unmodifiableList(all);
     }
 
-    /** All names, separated by commas. */
+    /** {@return all names, separated by commas} */
     public String names() {
         return String.join(", ", all.stream().map(Bias::name).toList());
     }
 
     /**
-     * The same with another value of one bias.
+     * {@return the same with another value of one bias}
      *
      * @param name in upper or lower case
      * @param text a number, decimal or hexadecimal with 0x in front; or, for a DAVIS, coarse and fine current (0 to 7

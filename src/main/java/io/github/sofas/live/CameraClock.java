@@ -2,8 +2,8 @@ package io.github.sofas.live;
 
 /**
  * The time of a camera that sends its low bits with the events and a wrap each time that they overflow. Counted on in
- * 64 bits, in µs. What it tells never falls: a camera that sets its time to zero goes on from the newest time, and any
- * other step back is counted and told as the newest time.
+ * 64 bits, in µs. The times it gives never fall: a camera that sets its time to zero goes on from the newest time, and
+ * any other step back is counted and gets the newest time.
  */
 final class CameraClock {
     private final long wrapWorthUs;
@@ -30,7 +30,7 @@ final class CameraClock {
         return newestUs;
     }
 
-    /** Takes the low bits of a time, and tells the time. */
+    /** Takes the low bits of a time and gives the time. */
     long tell(int lowBits) {
         long timeUs = originUs + wrapUs + lowBits;
         if (timeUs < newestUs) {

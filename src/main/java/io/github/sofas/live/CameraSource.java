@@ -33,7 +33,7 @@ public final class CameraSource extends LiveSource {
         this.decoder = decoder;
     }
 
-    /** The kind of camera. */
+    /** {@return the kind of camera} */
     public CameraModel model() {
         return model;
     }
@@ -46,7 +46,8 @@ public final class CameraSource extends LiveSource {
     /**
      * Configures the camera and lets it send.
      *
-     * @throws EventSourceException where it does not do as it is told
+     * @param biases set before the camera starts
+     * @throws EventSourceException where it does not obey
      */
     public void start(Biases biases) throws EventSourceException {
         try {

@@ -23,13 +23,17 @@ public final class Cameras {
      * @param fault why it cannot be used; null where nothing is known against it
      */
     public record Camera(CameraModel model, UsbDevice device, String serial, String fault) {
-        /** Kind and serial number. */
+        /** {@return the kind and serial number} */
         public String name() {
             return (model == null ? "camera" : model.name()) + (serial.isEmpty() ? "" : " " + serial);
         }
     }
 
-    /** Those on a transport. */
+    /**
+     * Those on a transport.
+     *
+     * @param usb how cameras are reached
+     */
     public Cameras(UsbTransport usb) {
         this(usb, Cameras::pause);
     }
@@ -50,7 +54,7 @@ public final class Cameras {
     }
 
     /**
-     * All cameras, with those that cannot be used.
+     * {@return all cameras, with those that cannot be used}
      *
      * @throws EventSourceException where the devices cannot be listed
      */
@@ -104,6 +108,7 @@ public final class Cameras {
      * Opens a camera, which can then be started.
      *
      * @param serial which one; null for the first that can be used
+     * @return the camera
      * @throws EventSourceException where there is none, or it cannot be used
      */
     public CameraSource open(String serial) throws EventSourceException {
@@ -117,7 +122,7 @@ public final class Cameras {
             if (asked && camera.fault == null) {
                 return open(camera);
             }
-            // One that cannot be opened does not tell its serial number, and may be the one that was asked for.
+            // One that cannot be opened does not give its serial number, and may be the one that was asked for.
             if (firstUnusable == null && camera.fault != null && (asked || camera.serial.isEmpty())) {
                 firstUnusable = camera;
             }

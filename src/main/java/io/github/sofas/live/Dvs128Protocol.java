@@ -3,7 +3,7 @@ package io.github.sofas.live;
 import io.github.sofas.recording.Chip;
 import io.github.sofas.recording.JaerAddress;
 
-/** DVS128: all biases at once, 24 bits each, big-endian; then events until it is told to stop. */
+/** DVS128: all biases at once, 24 bits each, big-endian; then events until it is stopped. */
 final class Dvs128Protocol implements CameraProtocol {
     private static final int SEND_BIASES = 0xB8;
     private static final int START = 0xB3;

@@ -140,7 +140,7 @@ final class JaerDatagramDecoder {
         return counts;
     }
 
-    /** What went wrong, a line each. */
+    /** What went wrong, one line each. */
     List<String> faults() {
         List<String> faults = new ArrayList<>();
         if (lost > 0) {

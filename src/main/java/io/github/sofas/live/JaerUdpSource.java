@@ -47,7 +47,7 @@ public final class JaerUdpSource extends LiveSource {
         thread.start();
     }
 
-    /** The port that is listened to. */
+    /** {@return the port that is listened to} */
     public int port() {
         return socket.getLocalPort();
     }

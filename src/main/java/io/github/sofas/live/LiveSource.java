@@ -34,12 +34,12 @@ public abstract class LiveSource implements EventSource {
         queue = new PacketQueue(QUEUE_PACKETS, packetCapacity);
     }
 
-    /** What it is called in messages, such as "DAVIS240C 84010012". */
+    /** {@return what it is called in messages, such as "DAVIS240C 84010012"} */
     public final String name() {
         return name;
     }
 
-    /** The sensor chip. */
+    /** {@return the sensor chip} */
     public final Chip chip() {
         return chip;
     }
@@ -49,7 +49,7 @@ public abstract class LiveSource implements EventSource {
         return chip.sensor();
     }
 
-    /** What the events come as, such as "DAVIS over USB". */
+    /** {@return what the events come as, such as "DAVIS over USB"} */
     public abstract String formatName();
 
     @Override
@@ -83,12 +83,12 @@ public abstract class LiveSource implements EventSource {
         queue.offer(decoded);
     }
 
-    /** Time spent on decoding, in seconds; exact once stopped. */
+    /** {@return the time spent on decoding, in seconds; exact once stopped} */
     public final double decodeS() {
         return decodeNs / 1e9;
     }
 
-    /** When the events of the last batch came in, of {@link System#nanoTime()}. */
+    /** {@return when the events of the last batch came in, of {@link System#nanoTime()}} */
     public final long receivedNs() {
         return receivedNs;
     }
@@ -110,28 +110,28 @@ public abstract class LiveSource implements EventSource {
     /** Stops what comes in, and returns when the thread that it came in on is done. Called once. */
     abstract void shutDown();
 
-    /** Packets that wait now. */
+    /** {@return packets that wait now} */
     public final int packetsWaiting() {
         return queue.waiting();
     }
 
-    /** Packets that wait at most. */
+    /** {@return packets that wait at most} */
     public final int queueLimit() {
         return queue.limit();
     }
 
-    /** Events dropped so far because whoever takes them fell behind. */
+    /** {@return events dropped so far because whoever takes them fell behind} */
     public final long eventsDropped() {
         return queue.droppedEvents();
     }
 
-    /** Transfers or datagrams lost so far on their way here. */
+    /** {@return transfers or datagrams lost so far on their way here} */
     public abstract long packetsLost();
 
-    /** How many of each kind came in, by name; exact once stopped. */
+    /** {@return how many of each kind came in, by name; exact once stopped} */
     public abstract Map<String, Long> counts();
 
-    /** Events that came in and were not delivered, by reason; exact once stopped. */
+    /** {@return events that came in and were not delivered, by reason; exact once stopped} */
     public final Map<String, Long> dropped() {
         Map<String, Long> dropped = new LinkedHashMap<>(undecodable());
         dropped.put("engine_behind", queue.droppedEvents());
@@ -141,7 +141,7 @@ public abstract class LiveSource implements EventSource {
     /** Events that came in but make no sense, by reason. */
     abstract Map<String, Long> undecodable();
 
-    /** What went wrong without ending the stream, a line each; exact once stopped. */
+    /** {@return what went wrong without ending the stream, one line each; exact once stopped} */
     public final List<String> faults() {
         return describeFaults().stream().map(fault -> "[" + name + "] " + fault).toList();
     }

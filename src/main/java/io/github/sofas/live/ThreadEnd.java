@@ -5,7 +5,11 @@ public final class ThreadEnd {
     private ThreadEnd() {
     }
 
-    /** Waits for a thread to end, however often the caller is interrupted meanwhile, and leaves it interrupted then. */
+    /**
+     * Waits for a thread to end, however often the caller is interrupted meanwhile, and leaves it interrupted then.
+     *
+     * @param thread that is to end
+     */
     public static void await(Thread thread) {
         boolean interrupted = false;
         while (thread.isAlive()) {

@@ -12,7 +12,11 @@ public interface UsbConnection extends AutoCloseable {
          */
         void received(byte[] data, int length);
 
-        /** One transfer was lost; more follow. */
+        /**
+         * One transfer was lost; more follow.
+         *
+         * @param fault what went wrong
+         */
         void lost(TransferFault fault);
 
         /**
@@ -34,7 +38,7 @@ public interface UsbConnection extends AutoCloseable {
     }
 
     /**
-     * The device's serial number; empty where it has none.
+     * {@return the device's serial number; empty where it has none}
      *
      * @throws UsbException where it cannot be read
      */
@@ -50,6 +54,10 @@ public interface UsbConnection extends AutoCloseable {
     /**
      * Reads by a vendor request to the device.
      *
+     * @param request number of the vendor request
+     * @param value the request's wValue
+     * @param index the request's wIndex
+     * @param length how many bytes are read
      * @return as many bytes as asked for
      * @throws UsbException where they cannot be read
      */
@@ -58,6 +66,10 @@ public interface UsbConnection extends AutoCloseable {
     /**
      * Writes by a vendor request to the device.
      *
+     * @param request number of the vendor request
+     * @param value the request's wValue
+     * @param index the request's wIndex
+     * @param data what is written
      * @throws UsbException where it cannot be written
      */
     void write(int request, int value, int index, byte... data) throws UsbException;
@@ -65,6 +77,7 @@ public interface UsbConnection extends AutoCloseable {
     /**
      * Clears a halted endpoint.
      *
+     * @param endpoint its address
      * @throws UsbException where it cannot be cleared
      */
     void clearHalt(int endpoint) throws UsbException;
@@ -72,6 +85,11 @@ public interface UsbConnection extends AutoCloseable {
     /**
      * Starts to read from a bulk endpoint, with several transfers waiting at any time. The receiver hears where they
      * cannot be started.
+     *
+     * @param endpoint its address
+     * @param transfers how many are under way at a time
+     * @param bytes size of each
+     * @param receiver is called from the thread of the transfers
      */
     void startTransfers(int endpoint, int transfers, int bytes, Receiver receiver);
 

@@ -4,6 +4,7 @@ package io.github.sofas.live;
 public final class UsbException extends Exception {
     private static final long serialVersionUID = 1L;
 
+    /** What kind of fault it is. */
     private final Fault fault;
 
     /** What is wrong, as far as it makes a difference to the user. */
@@ -18,19 +19,30 @@ public final class UsbException extends Exception {
         OTHER
     }
 
-    /** Makes one. */
+    /**
+     * Makes one.
+     *
+     * @param fault what kind of fault it is
+     * @param message what is wrong, for the user
+     */
     public UsbException(Fault fault, String message) {
         super(message);
         this.fault = fault;
     }
 
-    /** Makes one with its cause. */
+    /**
+     * Makes one with its cause.
+     *
+     * @param fault what kind of fault it is
+     * @param message what is wrong, for the user
+     * @param cause what it came from
+     */
     public UsbException(Fault fault, String message, Throwable cause) {
         super(message, cause);
         this.fault = fault;
     }
 
-    /** What is wrong. */
+    /** {@return what is wrong} */
     public Fault fault() {
         return fault;
     }

@@ -5,7 +5,7 @@ import java.util.List;
 /** The USB, as far as cameras need it. */
 public interface UsbTransport extends AutoCloseable {
     /**
-     * All devices that are plugged in.
+     * {@return all devices that are plugged in}
      *
      * @throws UsbException where they cannot be listed
      */
@@ -15,6 +15,7 @@ public interface UsbTransport extends AutoCloseable {
      * Opens a device.
      *
      * @param device one of {@link #devices()}
+     * @return the open device
      * @throws UsbException where it cannot be opened
      */
     UsbConnection open(UsbDevice device) throws UsbException;

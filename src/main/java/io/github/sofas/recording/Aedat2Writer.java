@@ -43,6 +43,8 @@ public final class Aedat2Writer implements Closeable {
     /**
      * Makes or replaces the file and writes the header.
      *
+     * @param path gets the recording; replaced where it exists
+     * @param chip of the events
      * @throws IOException where the file cannot be written
      */
     public Aedat2Writer(Path path, Chip chip) throws IOException {
@@ -52,6 +54,8 @@ public final class Aedat2Writer implements Closeable {
     /**
      * Writes the header to a stream, which {@link #close()} closes.
      *
+     * @param stream gets the recording; closed with the writer
+     * @param chip of the events
      * @throws IOException where it cannot be written
      */
     public Aedat2Writer(OutputStream stream, Chip chip) throws IOException {
@@ -64,6 +68,7 @@ public final class Aedat2Writer implements Closeable {
     /**
      * Appends the events of a batch.
      *
+     * @param batch the events
      * @throws IllegalArgumentException where an event lies outside the chip's sensor or before the one that precedes
      *     it; the events before it are written
      * @throws IOException where the file cannot be written

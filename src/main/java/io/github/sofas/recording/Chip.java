@@ -50,12 +50,12 @@ public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLa
         return new Chip(name, DAVIS, new SensorSize(width, height), AddressLayout.DAVIS);
     }
 
-    /** All chips that are known, in the order that help texts list them. */
+    /** {@return all chips that are known, in the order that help texts list them} */
     public static List<Chip> known() {
         return KNOWN;
     }
 
-    /** The names of all known chips, separated by commas, as messages list them. */
+    /** {@return the names of all known chips, separated by commas, as messages list them} */
     public static String knownNames() {
         StringBuilder names = new StringBuilder();
         for (Chip chip : KNOWN) {
@@ -65,7 +65,7 @@ public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLa
     }
 
     /**
-     * The chip of a name.
+     * {@return the chip of a name}
      *
      * @param name with or without its package, in upper or lower case; {@code DAVIS240} and {@code DAVIS346} stand for
      *     DAVIS240C and Davis346red
@@ -76,7 +76,7 @@ public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLa
         return KNOWN.stream().filter(chip -> chip.name.toLowerCase(Locale.ROOT).equals(member)).findFirst();
     }
 
-    /** The name with its package, as AEDAT 2 headers hold it. */
+    /** {@return the name with its package, as AEDAT 2 headers hold it} */
     public String className() {
         return jaerPackage + "." + name;
     }

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /**
  * The sensor of a recording, from what its header and the caller say. The header wins where its chip is known: one
- * option then serves a batch of recordings of which some name their sensor. Nothing is ever guessed.
+ * option then works for a batch of recordings of which some name their sensor. Nothing is ever guessed.
  *
  * @param name how header or caller call it; null where only a size is known
  * @param chip the chip, null where only its size is known
@@ -31,7 +31,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
         return choice;
     }
 
-    /** Chooses for a format that holds plain coordinates but no size: a size such as 240x180 serves too. */
+    /** Chooses for a format that holds plain coordinates but no size: a size such as 240x180 is allowed too. */
     static ChipChoice withSize(String fileName, String headerChip, RecordingOptions options)
             throws EventSourceException {
         return choose(fileName, headerChip, options, OR_SIZE);

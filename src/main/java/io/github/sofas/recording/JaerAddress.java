@@ -22,31 +22,51 @@ public final class JaerAddress {
     private final int lastColumn;
     private final int lastRow;
 
-    /** For the addresses of a chip. */
+    /**
+     * For the addresses of a chip.
+     *
+     * @param chip of the events
+     */
     public JaerAddress(Chip chip) {
         dvs128 = chip.layout() == Chip.AddressLayout.DVS128;
         lastColumn = chip.sensor().width() - 1;
         lastRow = chip.sensor().height() - 1;
     }
 
-    /** Whether it is a change event (DVS), not an intensity or inertial sample or a trigger. */
+    /**
+     * {@return whether it is a change event (DVS), not an intensity or inertial sample or a trigger}
+     *
+     * @param address as the recording holds it
+     */
     public boolean isEvent(int address) {
         return (address & (dvs128 ? DVS128_SPECIAL : DAVIS_NOT_DVS | DAVIS_SPECIAL)) == 0;
     }
 
-    /** Column of an event, from 0 at the left; below 0 where it is outside the sensor. */
+    /**
+     * {@return the column of an event, from 0 at the left; below 0 where it is outside the sensor}
+     *
+     * @param address as the recording holds it
+     */
     public int x(int address) {
         return lastColumn - (dvs128 ? address >>> DVS128_X_SHIFT & DVS128_MASK
             : address >>> DAVIS_X_SHIFT & DAVIS_X_MASK);
     }
 
-    /** Row of an event, from 0 at the top; below 0 where it is outside the sensor. */
+    /**
+     * {@return the row of an event, from 0 at the top; below 0 where it is outside the sensor}
+     *
+     * @param address as the recording holds it
+     */
     public int y(int address) {
         return lastRow - (dvs128 ? address >>> DVS128_Y_SHIFT & DVS128_MASK
             : address >>> DAVIS_Y_SHIFT & DAVIS_Y_MASK);
     }
 
-    /** 1 for ON, -1 for OFF. */
+    /**
+     * {@return 1 for ON, -1 for OFF}
+     *
+     * @param address as the recording holds it
+     */
     public int polarity(int address) {
         boolean on = dvs128 ? (address & DVS128_OFF) == 0 : (address >>> DAVIS_ON_SHIFT & 1) != 0;
         return on ? 1 : -1;

@@ -10,7 +10,11 @@ public final class Printable {
     private Printable() {
     }
 
-    /** The text without control characters. */
+    /**
+     * {@return the text without control characters}
+     *
+     * @param text from a file
+     */
     public static String of(String text) {
         return text.replaceAll("\\p{Cc}", "?");
     }

@@ -4,7 +4,7 @@ package io.github.sofas.recording;
  * What a reader has met so far, by kind. Only {@link #events()} were delivered.
  *
  * @param events change events (DVS) delivered
- * @param apsSamples samples of the intensity pixels (AEDAT 2: one a pixel and read)
+ * @param apsSamples samples of the intensity pixels (AEDAT 2: one per pixel and read)
  * @param frames whole frames (AEDAT 3 and 4)
  * @param imuSamples whole samples of the inertial sensor
  * @param triggers special and external events
@@ -22,9 +22,9 @@ public record RecordingCounts(long events, long apsSamples, long frames, long im
                               long malformed, long damagedTimes, long timeRestarts) {
 
     /**
-     * Share of the events that the file does not hold as they were, 0 to 1: dropped because of their pixel or time, or
-     * delivered with another time or only a part of their address. Those that a recorder marked as invalid are not
-     * among them, for that was meant.
+     * {@return the share of the events that were corrected or dropped, 0 to 1} That is: dropped because of their pixel
+     * or time, or delivered with another time or only a part of their address. Events that the recorder marked as
+     * invalid are not among them, for that was meant.
      */
     public double doubtfulShare() {
         long dropped = outsideSensor + damagedTimes;

@@ -18,28 +18,40 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
                                TextTimeUnit timeUnit) {
     private static final RecordingOptions DEFAULTS = new RecordingOptions(null, false, false, null, null);
 
-    /** No chip, not strict, text by its header or the usual order. */
+    /** {@return no chip, not strict, text by its header or the usual order} */
     public static RecordingOptions defaults() {
         return DEFAULTS;
     }
 
-    /** The same with another chip, or null for none. */
+    /**
+     * {@return the same with another chip, or null for none}
+     *
+     * @param newChip name of a chip, or a size such as {@code 240x180}
+     */
     public RecordingOptions withChip(String newChip) {
         return new RecordingOptions(newChip, strict, forceChip, columns, timeUnit);
     }
 
-    /** The same with another strictness. */
+    /**
+     * {@return the same with another strictness}
+     *
+     * @param newStrict whether a step back in time is an error
+     */
     public RecordingOptions withStrict(boolean newStrict) {
         return new RecordingOptions(chip, newStrict, forceChip, columns, timeUnit);
     }
 
-    /** The same with the chip obeyed whatever the recording says, or not. */
+    /**
+     * {@return the same, with or without obeying the chip whatever the recording says}
+     *
+     * @param newForceChip whether it is
+     */
     public RecordingOptions withForceChip(boolean newForceChip) {
         return new RecordingOptions(chip, strict, newForceChip, columns, timeUnit);
     }
 
     /**
-     * The same with the columns of text recordings told.
+     * {@return the same with other columns for text recordings}
      *
      * @param names in the order of the fields, such as t, x, y, p; any other name passes over a field
      * @throws IllegalArgumentException where one of the four is missing or comes twice
@@ -50,7 +62,11 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
         return new RecordingOptions(chip, strict, forceChip, newColumns, timeUnit);
     }
 
-    /** The same with the unit of time of text recordings told, or null for what they say. */
+    /**
+     * {@return the same with another unit of time for text recordings}
+     *
+     * @param newTimeUnit null for what the recording says
+     */
     public RecordingOptions withTimeUnit(TextTimeUnit newTimeUnit) {
         return new RecordingOptions(chip, strict, forceChip, columns, newTimeUnit);
     }

@@ -131,22 +131,24 @@ public abstract class RecordingReader implements EventSource {
         return sensor;
     }
 
-    /** The format and its version, such as "AEDAT 2.0". */
+    /** {@return the format and its version, such as "AEDAT 2.0"} */
     public final String formatName() {
         return formatName;
     }
 
-    /** How the recording, or else the caller, names the sensor; empty where only its size is known. */
+    /** {@return how the recording, or else the caller, names the sensor; empty where only its size is known} */
     public final Optional<String> chip() {
         return Optional.ofNullable(chipName);
     }
 
-    /** How packets are packed, such as "LZ4"; empty for formats that know no compression. */
+    /** {@return how packets are packed, such as "LZ4"; empty for formats that know no compression} */
     public Optional<String> compression() {
         return Optional.empty();
     }
 
-    /** What has been met up to the end of the last batch; in a batch's middle, up to what was decoded for it. */
+    /**
+     * {@return what has been met up to the end of the last batch; in a batch's middle, up to what was decoded for it}
+     */
     public final RecordingCounts counts() {
         return new RecordingCounts(events, apsSamples, frames, imuSamples, triggers, invalid, outsideSensor, stepsBack,
                 timeWraps, otherRecords, malformedRecords, damagedTimes, timeRestarts);
@@ -155,6 +157,8 @@ public abstract class RecordingReader implements EventSource {
     /**
      * Delivers IMU samples from now on, each from within {@link #next} and before the events that follow it in the
      * file. Only AEDAT 2.0 recordings of DAVIS cameras deliver them; other formats count theirs.
+     *
+     * @param receiver is called while batches are read, in the order of the file
      */
     public final void onImuSample(Consumer<ImuSample> receiver) {
         imuReceiver = receiver;
@@ -163,29 +167,31 @@ public abstract class RecordingReader implements EventSource {
     /**
      * Delivers grey-level frames from now on, each from within {@link #next}; a batch may hold events of before and
      * after. AEDAT 2.0 recordings of DAVIS cameras and AEDAT 4.0 recordings deliver them, others only count theirs.
+     *
+     * @param receiver is called while batches are read, in the order of the file
      */
     public final void onFrame(Consumer<GreyFrame> receiver) {
         frameReceiver = receiver;
     }
 
-    /** How far into the file the reading is, in bytes; what is still buffered is not counted. */
+    /** {@return how far into the file the reading is, in bytes; what is still buffered is not counted} */
     public final long bytesRead() {
         return file.offset();
     }
 
-    /** Time of the first event delivered, µs; 0 before one was. */
+    /** {@return the time of the first event delivered, µs; 0 before one was} */
     public final long firstTimeUs() {
         return order.firstUs();
     }
 
-    /** Time of the last event delivered, µs; 0 before one was. */
+    /** {@return the time of the last event delivered, µs; 0 before one was} */
     public final long lastTimeUs() {
         return order.lastUs();
     }
 
     /**
-     * What was found wrong so far without ending the reading: one line a kind of fault, with the place of the first and
-     * how many there were. Empty for a faultless recording.
+     * {@return what was found wrong so far without ending the reading} One line per kind of fault, with the place of
+     * the first and their number. Empty for a faultless recording.
      */
     public final List<String> faults() {
         List<String> lines = new ArrayList<>();
@@ -195,7 +201,7 @@ public abstract class RecordingReader implements EventSource {
         return List.copyOf(lines);
     }
 
-    /** What the user should know beside the faults, such as that an option was not needed. */
+    /** {@return what the user should know beside the faults, such as that an option was not needed} */
     public final List<String> notes() {
         return List.copyOf(notes);
     }

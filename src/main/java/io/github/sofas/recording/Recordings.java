@@ -37,6 +37,8 @@ public final class Recordings {
      * Opens a recording: by the magic at its start, and where it has none by the file's extension ({@code .dat} and
      * {@code .aedat} are AEDAT 1.0, {@code .bin} is N-MNIST, {@code .txt} and {@code .csv} are text).
      *
+     * @param path the recording
+     * @param options how it is read
      * @return a reader before the first event, to be closed by the caller
      * @throws MalformedRecordingException where the header is damaged or the format is not served
      * @throws EventSourceException where the file cannot be read, or the sensor is neither named by the recording nor

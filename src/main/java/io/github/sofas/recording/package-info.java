@@ -1,6 +1,6 @@
 /**
  * Recordings of event cameras: AEDAT 1.0, 2.0, 3.x, 4.0, Prophesee's RAW (EVT) and DAT, HDF5, Event Stream, N-MNIST and
- * text. Open {@link io.github.sofas.recording.Recordings} first: it tells the formats apart and makes the reader. Each
+ * text. Open {@link io.github.sofas.recording.Recordings} first: it detects the format and makes the reader. Each
  * format is a class {@code XReader}, and a class {@code XFormat} with its constants where there are many; what all
  * readers share (order of time, counts, faults) is in {@link io.github.sofas.recording.RecordingReader}.
  *

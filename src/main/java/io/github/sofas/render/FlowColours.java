@@ -5,9 +5,9 @@ package io.github.sofas.render;
  * greatest speed and above.
  *
  * <p>The wheel of {@link Wheel#SAFE} goes through orange (right), violet (down), blue (left) and yellow green (up).
- * Orange and yellow green stay yellowish, violet and blue stay bluish to people who do not tell red from green, and in
- * each pair one is lighter, so that all four directions stay apart. {@link Wheel#HUE} is the circle of hues that most
- * papers use.
+ * Orange and yellow green stay yellowish, violet and blue stay bluish to people who cannot distinguish red and green,
+ * and in each pair one is lighter, so that all four directions stay apart. {@link Wheel#HUE} is the circle of hues that
+ * most papers use.
  */
 public final class FlowColours {
     private static final int[] SAFE_DARK = {0xFF7A1A, 0xB455E8, 0x2E8BFF, 0xD2E600};
@@ -39,7 +39,12 @@ public final class FlowColours {
         }
     }
 
-    /** Makes the colours of a wheel on a theme's background. */
+    /**
+     * Makes the colours of a wheel on a theme's background.
+     *
+     * @param wheel colours of the directions
+     * @param theme of the page
+     */
     public FlowColours(Wheel wheel, Theme theme) {
         int[] anchors = theme == Theme.DARK ? SAFE_DARK : SAFE_LIGHT;
         for (int d = 0; d < DIRECTIONS; d++) {
@@ -59,7 +64,7 @@ public final class FlowColours {
     }
 
     /**
-     * The colour of a velocity as 0xRRGGBB.
+     * {@return the colour of a velocity as 0xRRGGBB}
      *
      * @param vxPxPerS velocity to the right in px/s
      * @param vyPxPerS velocity downwards in px/s

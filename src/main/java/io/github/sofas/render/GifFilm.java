@@ -33,7 +33,7 @@ public final class GifFilm implements Film {
      * Starts a film.
      *
      * @param file gets the GIF; closed with the film
-     * @param fps pictures a second; {@link #nearestFps} of it is taken
+     * @param fps pictures per second; {@link #nearestFps} of it is taken
      * @throws IOException where it cannot be written
      */
     public GifFilm(OutputStream file, double fps) throws IOException {
@@ -42,7 +42,11 @@ public final class GifFilm implements Film {
         delay = delay(fps);
     }
 
-    /** The rate that a GIF can have which is nearest to a wanted one, pictures a second; at most 50. */
+    /**
+     * {@return the rate that a GIF can have which is nearest to a wanted one, pictures per second; at most 50}
+     *
+     * @param fps pictures per second
+     */
     public static double nearestFps(double fps) {
         return 100.0 / delay(fps);
     }
@@ -108,7 +112,7 @@ public final class GifFilm implements Film {
         return new Rectangle(Math.min(left, right), top, Math.abs(right - left) + 1, bottom - top + 1);
     }
 
-    /** A part in the colours that serve it best; what did not change is transparent, which packs well. */
+    /** A part in its best colours; what did not change is transparent, which packs well. */
     private BufferedImage indexed(int[] rgb, int width, Rectangle part) {
         colours.clear();
         for (int y = part.y; y < part.y + part.height; y++) {

@@ -8,7 +8,7 @@ import java.util.List;
  * @param panels from left to right, two a row; each at most once
  * @param theme dark or light
  * @param wheel colours of directions
- * @param scale screen pixels a pixel of the sensor, 1 to 16; 0 so that a panel is at least 480 wide
+ * @param scale screen pixels per pixel of the sensor, 1 to 16; 0 so that a panel is at least 480 wide
  * @param exposureUs how long an event is shown, µs; 0 where {@code exposureEvents} counts
  * @param exposureEvents how many events are shown; 0 where {@code exposureUs} counts
  * @param fullPxPerS speed of the full colour in px/s; 0 so that it follows what is seen, upwards only
@@ -31,6 +31,14 @@ public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel 
     /**
      * Checks all.
      *
+     * @param panels from left to right, two a row; each at most once
+     * @param theme dark or light
+     * @param wheel colours of directions
+     * @param scale screen pixels per pixel of the sensor, 1 to 16; 0 so that a panel is at least 480 wide
+     * @param exposureUs how long an event is shown, µs; 0 where {@code exposureEvents} counts
+     * @param exposureEvents how many events are shown; 0 where {@code exposureUs} counts
+     * @param fullPxPerS speed of the full colour in px/s; 0 so that it follows what is seen, upwards only
+     * @param crop what is shown of the sensor; null for all of it
      * @throws IllegalArgumentException where one is out of range
      */
     public PictureOptions {
@@ -50,18 +58,26 @@ public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel 
         }
     }
 
-    /** Flow and segments on dark ground, events of the last 33 ms. */
+    /** {@return flow and segments on dark ground, events of the last 33 ms} */
     public static PictureOptions defaults() {
         return new PictureOptions(List.of(Panel.FLOW, Panel.SEGMENTS), Theme.DARK, FlowColours.Wheel.SAFE, 0, 33_333, 0,
             0, null);
     }
 
-    /** These with other panels. */
+    /**
+     * {@return these with other panels}
+     *
+     * @param newPanels one or more, each once
+     */
     public PictureOptions withPanels(List<Panel> newPanels) {
         return new PictureOptions(newPanels, theme, wheel, scale, exposureUs, exposureEvents, fullPxPerS, crop);
     }
 
-    /** These with another scale. */
+    /**
+     * {@return these with another scale}
+     *
+     * @param newScale screen pixels per pixel of the sensor; 0 for what fits
+     */
     public PictureOptions withScale(int newScale) {
         return new PictureOptions(panels, theme, wheel, newScale, exposureUs, exposureEvents, fullPxPerS, crop);
     }

@@ -81,6 +81,8 @@ public final class PictureSheet {
     /**
      * Makes a sheet on which nothing has been seen.
      *
+     * @param sensor size of the sensor
+     * @param options what a picture shows
      * @throws IllegalArgumentException where the crop is not on the sensor, or a picture would have more than 9.4
      *     million pixels
      */
@@ -145,12 +147,24 @@ public final class PictureSheet {
         return TITLE + panel / 2 * (TITLE + panelHeight() + LEGEND);
     }
 
-    /** Gives a segment the colour of {@link Theme#segmentColour}, which it would else get when it is first painted. */
+    /**
+     * Gives a segment the colour of {@link Theme#segmentColour}, which it would else get when it is first painted.
+     *
+     * @param segmentId of the segment
+     * @param place of the colour, from 0
+     */
     public void colour(int segmentId, int place) {
         segmentColours.assign(segmentId, place);
     }
 
-    /** Takes the events from one place of a batch to before another; those outside the sensor are passed over. */
+    /**
+     * Takes the events from one place of a batch to before another; those outside the sensor are passed over.
+     *
+     * @param batch the events
+     * @param flow their labels
+     * @param from first of them
+     * @param to after the last of them
+     */
     public void add(EventBatch batch, FlowOutput flow, int from, int to) {
         int columns = sensor.width();
         for (int i = from; i < to; i++) {
@@ -188,6 +202,7 @@ public final class PictureSheet {
     /**
      * Takes the frame that {@link Panel#GREY} shows from now on.
      *
+     * @param newFrame of the sensor's size
      * @throws IllegalArgumentException where it is not of the sensor's size
      */
     public void show(GreyFrame newFrame) {
@@ -228,7 +243,11 @@ public final class PictureSheet {
         return canvas.image();
     }
 
-    /** A panel alone of the picture painted last, without its title and legend; part of that picture, not a copy. */
+    /**
+     * {@return one panel of the last picture, without title and legend; a part of that picture, not a copy}
+     *
+     * @param k place among the panels, from 0
+     */
     public BufferedImage panel(int k) {
         return canvas.image().getSubimage(left(k), top(k), panelWidth(), panelHeight());
     }

@@ -21,8 +21,9 @@ public enum Theme {
     final int on;
     final int off;
     /**
-     * Colours of segments: four of Okabe and Ito's, which colour-blind people tell apart, then those that are farthest
-     * from them, from each other and from the ground, to colour-blind people too. One place is one hue in both themes.
+     * Colours of segments: four of Okabe and Ito's, which colour-blind people can distinguish, then those that are
+     * farthest from them, from each other and from the ground, to colour-blind people too. One place is one hue in both
+     * themes.
      */
     final int[] segments;
 
@@ -36,7 +37,11 @@ public enum Theme {
         this.segments = segments;
     }
 
-    /** A colour of segments as 0xRRGGBB, by its place among them; places beyond the last begin again. */
+    /**
+     * {@return a colour of segments as 0xRRGGBB, by its place among them; places beyond the last begin again}
+     *
+     * @param place from 0
+     */
     public int segmentColour(int place) {
         return segments[place % segments.length];
     }

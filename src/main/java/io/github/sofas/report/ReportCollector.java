@@ -37,12 +37,21 @@ public final class ReportCollector {
     private boolean begun;
     private long firstUs;
 
-    /** Begins. */
+    /**
+     * Begins.
+     *
+     * @param sensor size of the pixel array
+     */
     public ReportCollector(SensorSize sensor) {
         this.sensor = sensor;
     }
 
-    /** Takes a batch. */
+    /**
+     * Takes a batch.
+     *
+     * @param batch the events
+     * @param flow labels of the same events
+     */
     public void add(EventBatch batch, FlowOutput flow) {
         if (!begun && batch.size() > 0) {
             begun = true;

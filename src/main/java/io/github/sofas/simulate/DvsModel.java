@@ -17,7 +17,20 @@ package io.github.sofas.simulate;
  */
 public record DvsModel(double onThreshold, double offThreshold, double mismatchSd, double jitterSdUs,
                        double refractoryUs, double noiseHzPerPx, int hotPixels, double hotPixelHz) {
-    /** Checks every component. */
+    /**
+     * Checks every component.
+     *
+     * @param onThreshold rise of log intensity that makes an ON event, above 0
+     * @param offThreshold fall of log intensity that makes an OFF event, above 0
+     * @param mismatchSd standard deviation of both thresholds over the pixels, in log intensity; a threshold is never
+     *     made smaller than a fifth of its nominal value
+     * @param jitterSdUs standard deviation of the latency in µs; the latency is normally distributed with a mean of
+     *     three standard deviations, cut off at 0 and at six
+     * @param refractoryUs time after an event in which the pixel is blind, in µs; it remembers the light at its end
+     * @param noiseHzPerPx background activity in events per s and pixel, of random polarity
+     * @param hotPixels how many pixels fire by themselves
+     * @param hotPixelHz how often each of those fires, in Hz, always ON
+     */
     public DvsModel {
         requireAbove("onThreshold", onThreshold);
         requireAbove("offThreshold", offThreshold);
@@ -30,48 +43,75 @@ public record DvsModel(double onThreshold, double offThreshold, double mismatchS
     }
 
     /**
-     * Like a DAVIS240C in good light: thresholds of 0.2 (a change by a fifth) with a mismatch of 0.03, 100 µs of jitter
-     * and of refractory time, 0.1 Hz/px of background activity, no hot pixel (100 Hz where some are asked for).
+     * {@return a model like a DAVIS240C in good light} Thresholds of 0.2 (a change by a fifth) with a mismatch of 0.03,
+     * 100 µs of jitter and of refractory time, 0.1 Hz/px of background activity, no hot pixel (100 Hz where some are
+     * asked for).
      */
     public static DvsModel davis() {
         return new DvsModel(0.2, 0.2, 0.03, 100, 100, 0.1, 0, 100);
     }
 
-    /** A sensor without any flaw, for answers worked out by hand: both thresholds 0.2, all else 0. */
+    /** {@return a sensor without any flaw, for answers worked out by hand: both thresholds 0.2, all else 0} */
     public static DvsModel ideal() {
         return new DvsModel(0.2, 0.2, 0, 0, 0, 0, 0, 0);
     }
 
-    /** The same model with other thresholds. */
+    /**
+     * {@return the same model with other thresholds}
+     *
+     * @param on rise of log intensity that makes an event
+     * @param off fall of log intensity that makes an event
+     */
     public DvsModel withThresholds(double on, double off) {
         return new DvsModel(on, off, mismatchSd, jitterSdUs, refractoryUs, noiseHzPerPx, hotPixels, hotPixelHz);
     }
 
-    /** The same model with another spread of thresholds. */
+    /**
+     * {@return the same model with another spread of thresholds}
+     *
+     * @param sd standard deviation of the thresholds
+     */
     public DvsModel withMismatchSd(double sd) {
         return new DvsModel(onThreshold, offThreshold, sd, jitterSdUs, refractoryUs, noiseHzPerPx, hotPixels,
                 hotPixelHz);
     }
 
-    /** The same model with another spread of latency. */
+    /**
+     * {@return the same model with another spread of latency}
+     *
+     * @param us in µs
+     */
     public DvsModel withJitterSdUs(double us) {
         return new DvsModel(onThreshold, offThreshold, mismatchSd, us, refractoryUs, noiseHzPerPx, hotPixels,
                 hotPixelHz);
     }
 
-    /** The same model with another refractory time. */
+    /**
+     * {@return the same model with another refractory time}
+     *
+     * @param us in µs
+     */
     public DvsModel withRefractoryUs(double us) {
         return new DvsModel(onThreshold, offThreshold, mismatchSd, jitterSdUs, us, noiseHzPerPx, hotPixels,
                 hotPixelHz);
     }
 
-    /** The same model with another rate of background activity. */
+    /**
+     * {@return the same model with another rate of background activity}
+     *
+     * @param hz events per second and pixel
+     */
     public DvsModel withNoiseHzPerPx(double hz) {
         return new DvsModel(onThreshold, offThreshold, mismatchSd, jitterSdUs, refractoryUs, hz, hotPixels,
                 hotPixelHz);
     }
 
-    /** The same model with other hot pixels. */
+    /**
+     * {@return the same model with other hot pixels}
+     *
+     * @param count how many
+     * @param hz events per second and pixel
+     */
     public DvsModel withHotPixels(int count, double hz) {
         return new DvsModel(onThreshold, offThreshold, mismatchSd, jitterSdUs, refractoryUs, noiseHzPerPx, count, hz);
     }

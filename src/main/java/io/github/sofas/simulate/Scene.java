@@ -78,27 +78,35 @@ public enum Scene {
         this.composer = composer;
     }
 
-    /** The name that users call it by, lower case with hyphens. */
+    /** {@return the name that users call it by, lower case with hyphens} */
     public String sceneName() {
         return sceneName;
     }
 
-    /** What is seen, in one line. */
+    /** {@return what is seen, in one line} */
     public String description() {
         return description;
     }
 
-    /** The scene of a name, if there is one. */
+    /**
+     * {@return the scene of a name, if there is one}
+     *
+     * @param name in lower case with hyphens
+     */
     public static Optional<Scene> named(String name) {
         return Arrays.stream(values()).filter(scene -> scene.sceneName.equals(name)).findFirst();
     }
 
-    /** All names, separated by commas, for messages. */
+    /** {@return all names, separated by commas, for messages} */
     public static String names() {
         return Arrays.stream(values()).map(Scene::sceneName).collect(Collectors.joining(", "));
     }
 
-    /** How long the film is with these options, in µs. */
+    /**
+     * {@return how long the film is with these options, in µs}
+     *
+     * @param options how it is filmed
+     */
     public long durationUs(SimulationOptions options) {
         return Math.max(1, Math.round(compose(options).durationS() * 1e6));
     }

@@ -75,7 +75,13 @@ public final class SimulatedRecording {
         object = Arrays.copyOf(causes, size);
     }
 
-    /** Films a scene once and keeps it. */
+    /**
+     * Films a scene once and keeps it.
+     *
+     * @param scene what is filmed
+     * @param options how it is filmed
+     * @return the recording
+     */
     public static SimulatedRecording of(Scene scene, SimulationOptions options) {
         return new SimulatedRecording(new SimulatedSource(scene, options));
     }
@@ -84,27 +90,27 @@ public final class SimulatedRecording {
         return new SimulatedRecording(new SimulatedSource(world, options, 1));
     }
 
-    /** The pixel array. */
+    /** {@return the pixel array} */
     public SensorSize sensor() {
         return sensor;
     }
 
-    /** How long the scene was filmed, in µs; latency can put the last events a little later. */
+    /** {@return how long the scene was filmed, in µs; latency can put the last events a little later} */
     public long durationUs() {
         return durationUs;
     }
 
-    /** How many objects the scene has. */
+    /** {@return how many objects the scene has} */
     public int objects() {
         return objects;
     }
 
-    /** How many events there are. */
+    /** {@return the number of events} */
     public int size() {
         return timeUs.length;
     }
 
-    /** The events from first to last, as often as asked for. */
+    /** {@return the events from first to last, as often as asked for} */
     public EventSource source() {
         return new Replay();
     }

@@ -60,7 +60,12 @@ public final class SimulatedSource implements EventSource {
     private long visitedObjects;
     private boolean finished;
 
-    /** Films a scene once. */
+    /**
+     * Films a scene once.
+     *
+     * @param scene what is filmed
+     * @param options how it is filmed
+     */
     public SimulatedSource(Scene scene, SimulationOptions options) {
         this(scene, options, 1);
     }
@@ -69,6 +74,8 @@ public final class SimulatedSource implements EventSource {
      * Films a scene several times over, each pass following the one before in time. The objects jump back between two
      * passes without an event; noise goes on.
      *
+     * @param scene what is filmed
+     * @param options how it is filmed
      * @param passes how often, at least 1; Long.MAX_VALUE for a source without end
      */
     public SimulatedSource(Scene scene, SimulationOptions options, long passes) {
@@ -194,12 +201,12 @@ public final class SimulatedSource implements EventSource {
         return sensor;
     }
 
-    /** How long one pass is, in µs. */
+    /** {@return how long one pass is, in µs} */
     public long durationUs() {
         return durationUs;
     }
 
-    /** How many objects the scene has; the truth numbers them from 1. */
+    /** {@return how many objects the scene has; the truth numbers them from 1} */
     public int objects() {
         return world.objects().size();
     }
@@ -212,6 +219,7 @@ public final class SimulatedSource implements EventSource {
     /**
      * Clears the batch and fills it, with the truth of each event beside it.
      *
+     * @param batch gets the events
      * @param truth at least as large as the batch, or null where it does not matter
      * @return false at the end, with the batch left empty
      */

@@ -32,7 +32,29 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     /** The array of a DAVIS240C. */
     public static final SensorSize DAVIS240 = new SensorSize(240, 180);
 
-    /** Checks every component. */
+    /**
+     * Checks every component.
+     *
+     * @param sensor the pixel array that sees the scene
+     * @param durationUs length of the film in µs; 0 for the scene's own
+     * @param speedPxPerS speed of the scene's first object in px/s, the others keep their ratio to it; 0 for the
+     *     scene's own; for a pendulum the peak speed of its bob, for a pan that of the nearest bar, for wanderers the
+     *     typical one, for walls that turn or grow that of points a quarter of the sensor's width from the middle;
+     *     rotating bars, the flickering lamp and the random scene do not use it
+     * @param directionDeg direction of the first object's motion in degrees from right to down; the whole arrangement
+     *     turns with it
+     * @param turnsPerS rate of the rotating bars, negative from right to up
+     * @param scale factor on the sizes of all objects, above 0
+     * @param contrast logarithm of background light over the light of a plain dark object, above 0; a pixel with a
+     *     threshold of 0.2 fires three times for 0.7
+     * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain one,
+     *     and for the own one of a scene with textures
+     * @param blurPx standard deviation of the optical blur in px, above 0
+     * @param turnsRound whether a camera pan slows down, turns round and comes back
+     * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
+     * @param seed of everything that is random
+     * @param dvs the pixels
+     */
     public SimulationOptions {
         Objects.requireNonNull(sensor, "sensor");
         Objects.requireNonNull(dvs, "dvs");
@@ -52,86 +74,138 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     }
 
     /**
-     * The scene's own duration and speed, to the right, one turn a second, seen by a DAVIS240C
+     * {@return the defaults} The scene's own duration and speed, to the right, one turn per second, seen by a DAVIS240C
      * ({@link DvsModel#davis()}) with a blur of 0.7 px and a contrast of 0.7 on a plain background; seed 1.
      */
     public static SimulationOptions defaults() {
         return new SimulationOptions(DAVIS240, 0, 0, 0, 1, 1, 0.7, 0, 0.7, false, 0, 1, DvsModel.davis());
     }
 
-    /** The same with another sensor. */
+    /**
+     * {@return the same with another sensor}
+     *
+     * @param other the new value
+     */
     public SimulationOptions withSensor(SensorSize other) {
         return new SimulationOptions(other, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another length of film in µs. */
+    /**
+     * {@return the same with another length of film in µs}
+     *
+     * @param us in µs; 0 for the scene's own
+     */
     public SimulationOptions withDurationUs(long us) {
         return new SimulationOptions(sensor, us, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another speed in px/s. */
+    /**
+     * {@return the same with another speed in px/s}
+     *
+     * @param pxPerS in px/s; 0 for the scene's own
+     */
     public SimulationOptions withSpeedPxPerS(double pxPerS) {
         return new SimulationOptions(sensor, durationUs, pxPerS, directionDeg, turnsPerS, scale, contrast, texture,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another direction in degrees. */
+    /**
+     * {@return the same with another direction in degrees}
+     *
+     * @param deg from right to down
+     */
     public SimulationOptions withDirectionDeg(double deg) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, deg, turnsPerS, scale, contrast, texture,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another rate of turning. */
+    /**
+     * {@return the same with another rate of turning}
+     *
+     * @param turns turns per second
+     */
     public SimulationOptions withTurnsPerS(double turns) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turns, scale, contrast, texture,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with objects of another size. */
+    /**
+     * {@return the same with objects of another size}
+     *
+     * @param factor on all sizes
+     */
     public SimulationOptions withScale(double factor) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, factor, contrast,
                 texture, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another contrast. */
+    /**
+     * {@return the same with another contrast}
+     *
+     * @param logRatio logarithm of background light over an object's
+     */
     public SimulationOptions withContrast(double logRatio) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, logRatio,
                 texture, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another background. */
+    /**
+     * {@return the same with another background}
+     *
+     * @param sd standard deviation of log intensity
+     */
     public SimulationOptions withTexture(double sd) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, sd,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another blur in px. */
+    /**
+     * {@return the same with another blur in px}
+     *
+     * @param px standard deviation in px
+     */
     public SimulationOptions withBlurPx(double px) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
                 texture, px, turnsRound, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with a pan that turns round, or not. */
+    /**
+     * {@return the same with a pan that turns round, or not}
+     *
+     * @param round whether it does
+     */
     public SimulationOptions withTurnsRound(boolean round) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
                 texture, blurPx, round, fieldOfViewM, seed, dvs);
     }
 
-    /** The same with another field of view in m. */
+    /**
+     * {@return the same with another field of view in m}
+     *
+     * @param m in m; 0 so that the swing fills it
+     */
     public SimulationOptions withFieldOfViewM(double m) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
                 texture, blurPx, turnsRound, m, seed, dvs);
     }
 
-    /** The same with other chance. */
+    /**
+     * {@return the same with another seed}
+     *
+     * @param other the new value
+     */
     public SimulationOptions withSeed(long other) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
                 texture, blurPx, turnsRound, fieldOfViewM, other, dvs);
     }
 
-    /** The same with other pixels. */
+    /**
+     * {@return the same with another model of the pixels}
+     *
+     * @param model of the pixels
+     */
     public SimulationOptions withDvs(DvsModel model) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
                 texture, blurPx, turnsRound, fieldOfViewM, seed, model);

@@ -27,7 +27,7 @@ public final class Truth {
         object = new int[capacity];
     }
 
-    /** The largest batch that fits. */
+    /** {@return the largest batch that fits} */
     public int capacity() {
         return object.length;
     }

@@ -26,6 +26,7 @@ public final class TruthCsv implements Closeable {
     /**
      * Makes or replaces the file and writes the header.
      *
+     * @param path gets the truth; replaced where it exists
      * @throws IOException where it cannot be written
      */
     public TruthCsv(Path path) throws IOException {
@@ -45,6 +46,7 @@ public final class TruthCsv implements Closeable {
     /**
      * Writes the rows of a batch.
      *
+     * @param batch the events
      * @param truth filled together with the batch
      * @throws IOException where they cannot be written
      */
@@ -58,6 +60,7 @@ public final class TruthCsv implements Closeable {
     /**
      * Writes the rows of a whole recording.
      *
+     * @param recording the recording
      * @throws IOException where they cannot be written
      */
     public void write(SimulatedRecording recording) throws IOException {

@@ -271,7 +271,7 @@ public final class MetricFit {
         return steps;
     }
 
-    /** Whether the metric does not tell the velocity across the best known direction. */
+    /** Whether the metric leaves open the velocity across the best known direction. */
     public boolean isFlat() {
         return flat;
     }

@@ -25,7 +25,7 @@ public final class TrackPlane {
     private final int maskY;
     private final int shift;
     private final int shiftY;
-    /** Live events a cell, one accumulator a projection. */
+    /** Live events per cell, one accumulator a projection. */
     private final short[][] accumulator;
     private final int[] cells = new int[SIDE * SIDE];
     private final int[] hits = new int[SIDE * SIDE];

@@ -33,7 +33,7 @@ public final class FlowPlane {
 
     /**
      * Most events that a ring holds, less what it takes in at a time; where more come, the oldest go early. Enough for
-     * 700,000 events a second that no track plane takes; memory is to be bounded.
+     * 700,000 events per second that no track plane takes; memory is to be bounded.
      */
     private static final int MOST_EVENTS = MOST_HELD - 2 * BLOCK;
     private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES;

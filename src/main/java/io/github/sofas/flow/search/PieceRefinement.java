@@ -8,8 +8,8 @@ import io.github.sofas.flow.fit.MetricFit;
  * refining cycles (section Structure Detection). A fit at a time, so that labelling goes on in between.
  *
  * <p>Ours, because sliding an edge along itself at any speed is rewarded while counts are small: a piece is a structure
- * only when it has travelled enough to be told from one that stands still, and meets itself often enough; and of
- * velocities that are about as good the slowest is taken. Most pieces are none, and are given up as early as they
+ * only when it has travelled enough to be distinguished from one that stands still, and meets itself often enough; and
+ * of velocities that are about as good the slowest is taken. Most pieces are none, and are given up as early as they
  * show it: many have not travelled enough yet, and are sharper at rest than along their projection.
  */
 final class PieceRefinement {

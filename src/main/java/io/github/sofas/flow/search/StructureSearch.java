@@ -143,7 +143,7 @@ public final class StructureSearch {
     }
 
     /**
-     * The projection whose metric gains most over chance in a time: signed votes at random places give one an event.
+     * The projection whose metric gains most over chance in a time: signed votes at random places give one per event.
      * Per time, because slow projections hold events longer.
      */
     private int best() {

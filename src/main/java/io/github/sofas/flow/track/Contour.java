@@ -27,7 +27,7 @@ final class Contour {
 
     private final int width;
     private final int height;
-    /** Live events a cell: ON in the low half, OFF in the high half. */
+    /** Live events per cell: ON in the low half, OFF in the high half. */
     private final int[] grid;
     private final Motion motion = new Motion();
     private final SteppedProjection stepped = new SteppedProjection();

@@ -57,7 +57,7 @@ public final class TrackPlane {
     private static final double MAX_BEND_PX = 0.25;
     /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
     private static final double MAX_SHARED = 0.15;
-    /** Share of the metric a px that a weakly known direction must lose to follow at half the step. */
+    /** Share of the metric per px that a weakly known direction must lose to follow at half the step. */
     private static final double STIFFNESS = 0.002;
     /** Share of the velocity along a straight edge that is dropped at each measurement: it would drift. */
     private static final double FLAT_DECAY = 0.05;
@@ -84,7 +84,7 @@ public final class TrackPlane {
     private int sinceMeasured;
     private long measuredUs;
     private int measurements;
-    /** Live events a px of the lifetime: as many at any speed. */
+    /** Live events per px of the lifetime: as many at any speed. */
     private double usualDensity;
     private boolean hidden;
     private long hiddenUs;
@@ -231,7 +231,7 @@ public final class TrackPlane {
         return live.size() < LEAST_EVENTS || now < share * usualDensity;
     }
 
-    /** Live events a px of travel; a full ring has let those go that were older than its oldest. */
+    /** Live events per px of travel; a full ring has let those go that were older than its oldest. */
     private double eventsPerPx() {
         double px = lifetimePx;
         if (live.isFull()) {
