@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.evaluate.KnownTranslations;
+import io.github.sofas.experiments.Ablation;
 import io.github.sofas.experiments.ExperimentFiles;
 import io.github.sofas.experiments.Experiments;
 import io.github.sofas.experiments.Tables;
@@ -24,7 +25,8 @@ import picocli.CommandLine.Spec;
 
 /** Runs the paper's experiments and writes them as a page and as CSV, or prints tables of one method. */
 @Command(name = "experiments", sortOptions = false, customSynopsis = {"sofas experiments --out DIR [OPTION]...",
-        "       sofas experiments [--random N] [--scenes] [--recordings DIR] [OPTION]..."},
+        "       sofas experiments [--random N] [--scenes] [--recordings DIR] [OPTION]...",
+        "       sofas experiments --ablation [--random N] [--recordings DIR] [OPTION]..."},
     description = {"Run the paper's experiments on simulated scenes: both presets, Lucas-Kanade and local planes.",
         "Writes experiments.html, which needs no network, method.png, figures.csv, goals.csv, histograms.csv, "
         + "curves.csv and metric-maps.csv. It takes a few minutes.",
@@ -35,6 +37,8 @@ import picocli.CommandLine.Spec;
     exitCodeList = {"0:written", "1:a recording cannot be read (the rest is written), or the files cannot be written",
         "2:wrong usage; nothing was run"})
 final class ExperimentsCommand implements Callable<Integer> {
+    private static final int ABLATION_SCENES = 24;
+
     @Spec
     private CommandSpec spec;
 
@@ -51,6 +55,11 @@ final class ExperimentsCommand implements Callable<Integer> {
 
     @Option(names = "--scenes", description = "Table of textured scenes and those of the experiments.")
     private boolean scenes;
+
+    @Option(names = "--ablation",
+        description = "Table of what each extension of the method buys: each switched off alone, over random scenes "
+            + "(--random; default: " + ABLATION_SCENES + ") and --recordings.")
+    private boolean ablation;
 
     @Option(names = "--recordings", paramLabel = "DIR",
         description = "Folder of the recordings of real cameras that something is known of; without it they are left "
@@ -115,28 +124,21 @@ final class ExperimentsCommand implements Callable<Integer> {
     }
 
     private Integer tables() throws InterruptedException {
-        if (random == null && !scenes && recordings == null) {
-            throw usage("Missing required option: '--out=DIR', or for tables --random, --scenes or --recordings");
+        if (random == null && !scenes && !ablation && recordings == null) {
+            throw usage("Missing required option: '--out=DIR', or for tables --random, --scenes, --recordings or "
+                + "--ablation");
         }
         if (random != null && random < 1) {
             throw usage("--random must be at least 1 but was " + random);
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
         PrintWriter err = spec.commandLine().getErr();
-        Tables tables = new Tables(sensor -> method.make(sensor, ended -> { }), jobs, spec.commandLine().getOut());
-        if (random != null) {
-            tables.random(fromSeed, random);
-        }
-        if (scenes) {
-            tables.scenes();
-        }
-        if (recordings == null) {
-            return Main.OK;
-        }
+        PrintWriter to = spec.commandLine().getOut();
         try {
             KnownTranslations known = translations == null ? new KnownTranslations()
                 : KnownTranslations.read(translations);
-            List<String> failures = tables.recordings(recordings, known);
+            List<String> failures = ablation ? ablation(method, known, to)
+                : tables(new Tables(sensor -> method.make(sensor, ended -> { }), jobs, to), known);
             failures.forEach(err::println);
             if (translations != null) {
                 known.write(translations);
@@ -146,6 +148,30 @@ final class ExperimentsCommand implements Callable<Integer> {
             err.println("[" + (translations == null ? recordings : translations) + "] cannot be read or written: " + e);
             return Main.FAILED;
         }
+    }
+
+    private List<String> tables(Tables tables, KnownTranslations known) throws IOException, InterruptedException {
+        if (random != null) {
+            tables.random(fromSeed, random);
+        }
+        if (scenes) {
+            tables.scenes();
+        }
+        return recordings == null ? List.of() : tables.recordings(recordings, known);
+    }
+
+    private List<String> ablation(MethodChoice method, KnownTranslations known, PrintWriter to)
+            throws IOException, InterruptedException {
+        if (!method.preset().equals("default")) {
+            throw usage("--ablation is of --method sofas with --preset default");
+        }
+        Ablation table = new Ablation(parameterOptions.parameters(), jobs);
+        table.random(fromSeed, random == null ? ABLATION_SCENES : random);
+        if (recordings != null) {
+            table.recordings(recordings, known);
+        }
+        table.print(to);
+        return table.failures();
     }
 
     private void write(Experiments experiments) throws IOException {

@@ -12,6 +12,7 @@ import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 
@@ -56,5 +57,27 @@ record RecordingFigures(String name, Sharpness sharpness, long segments, double 
                 .filter(events -> events >= LEAST_SHARE * sharpness.eventsWithFlow()).count();
             return new RecordingFigures(name, sharpness, segments, method.nsPerEvent());
         }
+    }
+
+    /** Median gain over those that have one; 0 where none has. */
+    static double medianGain(List<RecordingFigures> recordings) {
+        double[] gains = gains(recordings);
+        return gains.length == 0 ? 0 : (gains[(gains.length - 1) / 2] + gains[gains.length / 2]) / 2;
+    }
+
+    /** Smallest gain of those that have one; 0 where none has. */
+    static double worstGain(List<RecordingFigures> recordings) {
+        double[] gains = gains(recordings);
+        return gains.length == 0 ? 0 : gains[0];
+    }
+
+    /** How many pictures the flow makes less sharp. */
+    static long blurred(List<RecordingFigures> recordings) {
+        return recordings.stream().filter(each -> each.sharpness.sharpness() < 1).count();
+    }
+
+    private static double[] gains(List<RecordingFigures> recordings) {
+        return recordings.stream().filter(each -> each.sharpness.hasGain())
+            .mapToDouble(each -> each.sharpness.gain()).sorted().toArray();
     }
 }

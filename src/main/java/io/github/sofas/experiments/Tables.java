@@ -76,7 +76,7 @@ public final class Tables {
         }
         out.println(header);
         List<SceneFigures> all = new ArrayList<>();
-        inOrder(parts, figures -> {
+        inOrder(parts, jobs, figures -> {
             StringBuilder line = new StringBuilder(name(figures.name())).append(cell(figures.objects()))
                 .append(cell(figures.evaluation().events()));
             for (Column column : Column.values()) {
@@ -122,7 +122,7 @@ public final class Tables {
             + cell("gain") + cell("flow,%") + cell("segments") + cell("ns/event"));
         List<RecordingFigures> all = new ArrayList<>();
         List<String> failures = new ArrayList<>();
-        inOrder(parts, figures -> {
+        inOrder(parts, jobs, figures -> {
             out.println(name(figures.name()) + cell(figures.sharpness().events())
                 + cell(figures.sharpness().windows().size()) + cell(3, figures.sharpness().sharpness())
                 + cell(3, figures.sharpness().translationSharpness())
@@ -137,21 +137,16 @@ public final class Tables {
             }
             failures.add(failure.getMessage());
         });
-        double[] gains = all.stream().filter(figures -> figures.sharpness().hasGain())
-            .mapToDouble(figures -> figures.sharpness().gain()).sorted().toArray();
-        if (gains.length > 0) {
-            long blurred = all.stream().filter(figures -> figures.sharpness().sharpness() < 1).count();
-            out.println(String.format(Locale.ROOT, "%d recordings: median gain %.2f, worst %.2f; %d blurred",
-                all.size(), (gains[(gains.length - 1) / 2] + gains[gains.length / 2]) / 2, gains[0], blurred));
-        }
+        out.println(String.format(Locale.ROOT, "%d recordings: median gain %.2f, worst %.2f; %d blurred", all.size(),
+            RecordingFigures.medianGain(all), RecordingFigures.worstGain(all), RecordingFigures.blurred(all)));
         out.println();
         out.flush();
         return failures;
     }
 
     /** Does parts side by side, and hands on results, or causes of failure, in order. */
-    private <T> void inOrder(Map<String, Callable<T>> parts, Consumer<T> done, Consumer<Throwable> failed)
-            throws InterruptedException {
+    static <T> void inOrder(Map<String, Callable<T>> parts, int jobs, Consumer<T> done,
+                            Consumer<Throwable> failed) throws InterruptedException {
         ExecutorService workers = Executors.newFixedThreadPool(jobs);
         try {
             List<Future<T>> futures = new ArrayList<>();
@@ -170,19 +165,19 @@ public final class Tables {
         }
     }
 
-    private static String name(String text) {
+    static String name(String text) {
         return String.format(Locale.ROOT, "%-" + NAME_WIDTH + "s", text);
     }
 
-    private static String cell(String text) {
+    static String cell(String text) {
         return String.format(Locale.ROOT, " %" + (WIDTH - 1) + "s", text);
     }
 
-    private static String cell(long number) {
+    static String cell(long number) {
         return cell(Long.toString(number));
     }
 
-    private static String cell(int decimals, double number) {
+    static String cell(int decimals, double number) {
         return cell(String.format(Locale.ROOT, "%." + decimals + "f", number));
     }
 }

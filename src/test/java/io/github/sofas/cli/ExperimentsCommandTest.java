@@ -34,8 +34,8 @@ public class ExperimentsCommandTest {
 
     @Test
     public void needsAFolderForResults() {
-        assertUsage("Missing required option: '--out=DIR', or for tables --random, --scenes or --recordings",
-            "experiments");
+        assertUsage("Missing required option: '--out=DIR', or for tables --random, --scenes, --recordings or "
+            + "--ablation", "experiments");
     }
 
     @Test
@@ -85,6 +85,19 @@ public class ExperimentsCommandTest {
             translations.toString());
         assertEquals(withoutTimes(first.out), withoutTimes(again.out));
         assertEquals(found, Files.readString(translations));
+    }
+
+    @Test
+    public void ablationHasALineForEachExtension() {
+        Executed table = Executed.command("experiments", "--ablation", "--random", "1", "--from-seed", "3");
+        assertEquals(table.err, 0, table.exitCode);
+        List<String> lines = table.out.lines().toList();
+        assertTrue(lines.get(0), lines.get(0).matches("switched-off +IoU +parts +rEE,% +flow,% +fast,% +ns/event"));
+        assertTrue(lines.get(1), lines.get(1).startsWith("none  "));
+        assertTrue(table.out, table.out.contains("\nmemoryPx  "));
+        assertTrue(table.out, table.out.contains("\nrotation  "));
+        assertUsage("--ablation is of --method sofas with --preset default", "experiments", "--ablation", "--preset",
+            "paper");
     }
 
     @Test
