@@ -5,14 +5,14 @@ package io.github.sofas.simulate;
  *
  * @param id what the truth calls it, from 1
  * @param shape its outline
- * @param motion its path
+ * @param trajectory its path
  * @param light its brightness as a multiple of the background's, above 0
  * @param texture what it is painted with; null where it is evenly grey
  */
-record MovingObject(int id, Shape shape, Motion motion, double light, Texture texture) {
+record MovingObject(int id, Shape shape, Trajectory trajectory, double light, Texture texture) {
     /** An evenly grey object. */
-    MovingObject(int id, Shape shape, Motion motion, double light) {
-        this(id, shape, motion, light, null);
+    MovingObject(int id, Shape shape, Trajectory trajectory, double light) {
+        this(id, shape, trajectory, light, null);
     }
 
     /** Light of its surface at a pixel of the sensor, when it is in a pose. */

@@ -10,7 +10,7 @@ package io.github.sofas.simulate;
  * longer than the paper's 2 pi sqrt(L / g) at 23 degrees. The elliptic functions are computed by the
  * arithmetic-geometric mean (Abramowitz and Stegun, 16.4 and 17.6).
  */
-final class Pendulum implements Motion {
+final class Pendulum implements Trajectory {
     /** The paper's length, greatest angle and gravity. */
     static final double LENGTH_M = 0.72;
     static final double MAX_ANGLE_RAD = Math.toRadians(23);

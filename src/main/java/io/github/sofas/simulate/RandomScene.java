@@ -1,8 +1,8 @@
 package io.github.sofas.simulate;
 
-import io.github.sofas.simulate.Motion.Journey;
-import io.github.sofas.simulate.Motion.Pace;
-import io.github.sofas.simulate.Motion.Sway;
+import io.github.sofas.simulate.Trajectory.Journey;
+import io.github.sofas.simulate.Trajectory.Pace;
+import io.github.sofas.simulate.Trajectory.Sway;
 import io.github.sofas.simulate.Shape.Box;
 import io.github.sofas.simulate.Shape.Capsule;
 import io.github.sofas.simulate.Shape.Disc;
@@ -43,10 +43,10 @@ final class RandomScene {
             double speed = kind < MOVING_BACKGROUND_SHARE ? 20 + 60 * random.nextDouble() : 0;
             double directionRad = 2 * Math.PI * random.nextDouble();
             double swing = random.nextBoolean() ? 0.5 * random.nextDouble() : 0;
-            Sway motion = new Sway(Scenes.centreX(options), Scenes.centreY(options),
+            Sway trajectory = new Sway(Scenes.centreX(options), Scenes.centreY(options),
                     speed * StrictMath.cos(directionRad), speed * StrictMath.sin(directionRad), 0, 0, swing,
                     1 + 2 * random.nextDouble());
-            objects.add(TexturedScenes.wall(count + 1, options, motion));
+            objects.add(TexturedScenes.wall(count + 1, options, trajectory));
         }
         return new World(objects, durationS);
     }
@@ -66,12 +66,12 @@ final class RandomScene {
         double change = random.nextDouble();
         double last = change < STOPPING_SHARE ? 0 : change < STOPPING_SHARE + TURNING_BACK_SHARE ? -1 : 1;
         Pace pace = new Pace(last, durationS * (0.2 + 0.4 * random.nextDouble()), 0.2 + 0.6 * random.nextDouble());
-        Motion motion = new Journey(atX, atY, atS, speed * StrictMath.cos(directionRad),
+        Trajectory trajectory = new Journey(atX, atY, atS, speed * StrictMath.cos(directionRad),
                 speed * StrictMath.sin(directionRad), pace, 2 * Math.PI * random.nextDouble(), turnRadPerS);
         double contrast = (0.6 + 1.2 * random.nextDouble()) * (random.nextInt(3) == 0 ? -1 : 1);
         Texture texture = random.nextDouble() < TEXTURED_SHARE
             ? TexturedScenes.texture(options, 0.2 + 0.3 * random.nextDouble(), new Random(random.nextLong())) : null;
-        return new MovingObject(id, shape, motion, Scenes.dark(options, contrast), texture);
+        return new MovingObject(id, shape, trajectory, Scenes.dark(options, contrast), texture);
     }
 
     private static Shape shape(double radius, Random random) {

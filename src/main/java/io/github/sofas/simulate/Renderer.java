@@ -83,7 +83,7 @@ final class Renderer {
         now = swap;
         step++;
         for (int i = 0; i < objects.length; i++) {
-            objects[i].motion().poseAt(timeS, now[i]);
+            objects[i].trajectory().poseAt(timeS, now[i]);
         }
     }
 

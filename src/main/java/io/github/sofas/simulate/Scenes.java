@@ -1,8 +1,8 @@
 package io.github.sofas.simulate;
 
-import io.github.sofas.simulate.Motion.Rotation;
-import io.github.sofas.simulate.Motion.Straight;
-import io.github.sofas.simulate.Motion.ThereAndBack;
+import io.github.sofas.simulate.Trajectory.Rotation;
+import io.github.sofas.simulate.Trajectory.Straight;
+import io.github.sofas.simulate.Trajectory.ThereAndBack;
 import io.github.sofas.simulate.Shape.Box;
 import io.github.sofas.simulate.Shape.Capsule;
 import io.github.sofas.simulate.Shape.Disc;
@@ -82,10 +82,10 @@ final class Scenes {
         }
         double sagPx = Pendulum.LENGTH_M * (1 - StrictMath.cos(Pendulum.MAX_ANGLE_RAD)) * pxPerM;
         Heading heading = new Heading(options);
-        Pendulum motion = new Pendulum(centreX(options) + heading.x(0, sagPx / 2),
+        Pendulum trajectory = new Pendulum(centreX(options) + heading.x(0, sagPx / 2),
                 centreY(options) + heading.y(0, sagPx / 2), pxPerM, heading.angleRad);
-        return new World(List.of(new MovingObject(1, new Disc(bobRadius), motion, dark(options, 1))),
-                duration(options, 2 * motion.periodS()));
+        return new World(List.of(new MovingObject(1, new Disc(bobRadius), trajectory, dark(options, 1))),
+                duration(options, 2 * trajectory.periodS()));
     }
 
     /** The pendulum's path; what turns with the path there keeps its angle here. */
@@ -95,7 +95,7 @@ final class Scenes {
 
     private static World notTurning(World world) {
         return new World(world.objects().stream().map(object -> new MovingObject(object.id(), object.shape(),
-                new Motion.NotTurning(object.motion()), object.light())).toList(), world.durationS());
+                new Trajectory.NotTurning(object.trajectory()), object.light())).toList(), world.durationS());
     }
 
     static World shortBar(SimulationOptions options) {
@@ -110,9 +110,9 @@ final class Scenes {
     }
 
     private static World rotating(SimulationOptions options, Shape bar) {
-        Rotation motion = new Rotation(centreX(options), centreY(options), new Heading(options).angleRad,
+        Rotation trajectory = new Rotation(centreX(options), centreY(options), new Heading(options).angleRad,
                 2 * Math.PI * options.turnsPerS());
-        return new World(List.of(new MovingObject(1, bar, motion, dark(options, 1))),
+        return new World(List.of(new MovingObject(1, bar, trajectory, dark(options, 1))),
                 duration(options, 2 / Math.abs(options.turnsPerS())));
     }
 
@@ -178,10 +178,10 @@ final class Scenes {
             double start = (starts[i] - 0.5) * across;
             double startX = centreX(options) + heading.x(start, 0);
             double startY = centreY(options) + heading.y(start, 0);
-            Motion motion = options.turnsRound()
+            Trajectory trajectory = options.turnsRound()
                     ? new ThereAndBack(startX, startY, heading.x(v, 0), heading.y(v, 0), durationS, heading.angleRad)
                     : new Straight(startX, startY, 0, heading.x(v, 0), heading.y(v, 0), heading.angleRad);
-            objects.add(new MovingObject(i + 1, bar, motion, dark(options, contrasts[i])));
+            objects.add(new MovingObject(i + 1, bar, trajectory, dark(options, contrasts[i])));
         }
         return new World(objects, durationS);
     }
@@ -224,10 +224,11 @@ final class Scenes {
             Shape shape = shapes.apply(i);
             Heading heading = new Heading(options.directionDeg() + 120 * i);
             double inset = BORDER_PX + shape.radius();
-            Motion motion = new Wander(centreX(options) + heading.x(0, apart), centreY(options) + heading.y(0, apart),
+            Trajectory trajectory = new Wander(
+                    centreX(options) + heading.x(0, apart), centreY(options) + heading.y(0, apart),
                     heading.angleRad, centreX(options), centreY(options), Math.max(1, centreX(options) - inset),
                     Math.max(1, centreY(options) - inset), speed, durationS, new Random(random.nextLong()));
-            objects.add(new MovingObject(i + 1, shape, motion,
+            objects.add(new MovingObject(i + 1, shape, trajectory,
                     dark(options, contrasts[i])));
         }
         return new World(objects, durationS);

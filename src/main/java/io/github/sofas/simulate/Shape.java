@@ -3,7 +3,8 @@ package io.github.sofas.simulate;
 /**
  * The outline of an object in its own axes, as a signed distance.
  *
- * <p>A shape is at rest and without grey level or texture; {@link Motion} places it and {@link MovingObject} paints it.
+ * <p>A shape is at rest and without grey level or texture; {@link Trajectory} places it and
+ * {@link MovingObject} paints it.
  */
 interface Shape {
     /**

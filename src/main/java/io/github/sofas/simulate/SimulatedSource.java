@@ -124,23 +124,23 @@ public final class SimulatedSource implements EventSource {
     }
 
     private double maxSpeedPxPerS(MovingObject object) {
-        Motion motion = object.motion();
-        double radius = object.shape().radius() * motion.maxScale();
+        Trajectory trajectory = object.trajectory();
+        double radius = object.shape().radius() * trajectory.maxScale();
         if (Double.isInfinite(radius)) {
-            return maxSpeedInCorners(motion);
+            return maxSpeedInCorners(trajectory);
         }
         double diagonal = Math.sqrt((double) sensor.width() * sensor.width()
                 + (double) sensor.height() * sensor.height());
         // No visible point is farther from its object's origin than the object reaches or the sensor is wide.
-        return motion.maxSpeedPxPerS(Math.min(radius, diagonal));
+        return trajectory.maxSpeedPxPerS(Math.min(radius, diagonal));
     }
 
     /** Slid, turned and grown rigidly, the picture moves fastest in one of its corners. */
-    private double maxSpeedInCorners(Motion motion) {
+    private double maxSpeedInCorners(Trajectory trajectory) {
         double fastest = 0;
         Pose pose = new Pose();
         for (int k = 0; k <= SPEED_SAMPLES; k++) {
-            motion.poseAt(world.durationS() * k / SPEED_SAMPLES, pose);
+            trajectory.poseAt(world.durationS() * k / SPEED_SAMPLES, pose);
             for (int corner = 0; corner < 4; corner++) {
                 double x = corner % 2 * (sensor.width() - 1);
                 double y = corner / 2 * (sensor.height() - 1);
@@ -340,7 +340,7 @@ public final class SimulatedSource implements EventSource {
             return;
         }
         MovingObject object = world.objects().get(renderer.cause(pixel, x, y, visitedObjects, polarity));
-        object.motion().poseAt(timeUs * 1e-6, causePose);
+        object.trajectory().poseAt(timeUs * 1e-6, causePose);
         queue.add(outUs(pixel, timeUs), x, y, polarity,
                 (float) causePose.vxAt(x, y), (float) causePose.vyAt(x, y), object.id());
     }

@@ -1,7 +1,7 @@
 package io.github.sofas.simulate;
 
-import io.github.sofas.simulate.Motion.Approach;
-import io.github.sofas.simulate.Motion.Sway;
+import io.github.sofas.simulate.Trajectory.Approach;
+import io.github.sofas.simulate.Trajectory.Sway;
 import io.github.sofas.simulate.Scenes.Heading;
 import io.github.sofas.simulate.Shape.Box;
 import io.github.sofas.simulate.Shape.Disc;
@@ -71,10 +71,10 @@ final class TexturedScenes {
         double endS = ownS * ownSpeed / Scenes.speed(options, ownSpeed);
         double durationS = Math.min(endS, Scenes.duration(options, endS));
         Heading heading = new Heading(options);
-        Approach motion = new Approach(Scenes.centreX(options), Scenes.centreY(options),
+        Approach trajectory = new Approach(Scenes.centreX(options), Scenes.centreY(options),
                 heading.x(12 * options.scale(), 0), heading.y(12 * options.scale(), 0), heading.angleRad, startScale,
                 contactShare * endS, durationS);
-        return new World(List.of(new MovingObject(1, new RegularPolygon(5, radius), motion,
+        return new World(List.of(new MovingObject(1, new RegularPolygon(5, radius), trajectory,
                 Scenes.dark(options, 1))), durationS);
     }
 
@@ -97,9 +97,9 @@ final class TexturedScenes {
             double v = ratios[i] * speed;
             double x = Scenes.centreX(options) + at.x(alongs[i] * size, acrosses[i] * size);
             double y = Scenes.centreY(options) + at.y(alongs[i] * size, acrosses[i] * size);
-            Motion motion = new Motion.Straight(x, y, durationS / 2, heading.x(v, 0), heading.y(v, 0),
+            Trajectory trajectory = new Trajectory.Straight(x, y, durationS / 2, heading.x(v, 0), heading.y(v, 0),
                     heading.angleRad);
-            objects[i] = new MovingObject(i + 1, shapes[i], motion, Scenes.dark(options, contrasts[i]),
+            objects[i] = new MovingObject(i + 1, shapes[i], trajectory, Scenes.dark(options, contrasts[i]),
                     texture(options, SHAPE_SIDE_PX, random));
         }
         Heading against = new Heading(options.directionDeg() + 120);
@@ -119,8 +119,8 @@ final class TexturedScenes {
     }
 
     /** A background that is everywhere. */
-    static MovingObject wall(int id, SimulationOptions options, Motion motion) {
-        return new MovingObject(id, new Everywhere(), motion, 1,
+    static MovingObject wall(int id, SimulationOptions options, Trajectory trajectory) {
+        return new MovingObject(id, new Everywhere(), trajectory, 1,
                 texture(options, WALL_SIDE_PX, new Random(~options.seed())));
     }
 

@@ -9,7 +9,7 @@ import java.util.Random;
  * <p>Speed and rate of turning follow random targets through two low passes; their integral is kept every 5 ms.
  * Between, place and angle are cubic, with the velocity as their exact derivative, so that truth and picture agree.
  */
-final class Wander implements Motion {
+final class Wander implements Trajectory {
     private static final double KNOT_S = 0.005;
     private static final int STEPS_PER_KNOT = 5;
     private static final double STEP_S = KNOT_S / STEPS_PER_KNOT;

@@ -5,7 +5,7 @@
  * {@link io.github.sofas.simulate.SimulatedRecording} keeps a whole film in memory.
  *
  * <p>From scene to event: a scene is composed into a {@link io.github.sofas.simulate.World} of rigid objects, front to
- * back, each a {@link io.github.sofas.simulate.Shape} on a {@link io.github.sofas.simulate.Motion}. The
+ * back, each a {@link io.github.sofas.simulate.Shape} on a {@link io.github.sofas.simulate.Trajectory}. The
  * {@link io.github.sofas.simulate.Renderer} gives the light of the pixels near moving edges, at time steps in which
  * nothing moves more than a quarter pixel. {@link io.github.sofas.simulate.PixelArray} turns its logarithm into events
  * with times interpolated between the steps. The source asks the renderer which object an event is due to, adds noise

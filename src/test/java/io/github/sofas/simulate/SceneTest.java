@@ -58,7 +58,7 @@ public class SceneTest {
                     continue;
                 }
                 shapes++;
-                object.motion().poseAt(0, pose);
+                object.trajectory().poseAt(0, pose);
                 double speed = Math.hypot(pose.vxPxPerS, pose.vyPxPerS);
                 assertTrue("speed " + speed, speed >= 20 - 1e-9 && speed <= 200 + 1e-9);
                 textured += object.texture() == null ? 0 : 1;

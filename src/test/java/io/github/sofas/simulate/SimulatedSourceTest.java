@@ -8,7 +8,7 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.simulate.Motion.Straight;
+import io.github.sofas.simulate.Trajectory.Straight;
 import io.github.sofas.simulate.Shape.Box;
 import io.github.sofas.simulate.Shape.Disc;
 import java.util.Arrays;
@@ -77,7 +77,7 @@ public class SimulatedSourceTest {
                     continue;
                 }
                 MovingObject cause = world.objects().stream().filter(object -> object.id() == id).findFirst().get();
-                cause.motion().poseAt(film.timeUs[i] * 1e-6, pose);
+                cause.trajectory().poseAt(film.timeUs[i] * 1e-6, pose);
                 double distance = pose.distanceTo(cause.shape(), film.x[i], film.y[i]);
                 // 0.7 px of blur reach 1.57 px; a step moves 0.25 px at most.
                 double outside = cause.texture() == null ? Math.abs(distance) : distance;
@@ -214,7 +214,7 @@ public class SimulatedSourceTest {
                 MovingObject hexagon = world.objects().get(0);
                 Pose pose = new Pose();
                 for (double time : new double[] {0, world.durationS()}) {
-                    hexagon.motion().poseAt(time, pose);
+                    hexagon.trajectory().poseAt(time, pose);
                     assertTrue(pose.x - 32.5 >= 3 - 1e-9 && pose.x + 32.5 <= 236 + 1e-9);
                     assertTrue(pose.y - 28.1 >= 3 - 0.1 && pose.y + 28.1 <= 176 + 0.1);
                     assertEquals(speed, Math.hypot(pose.vxPxPerS, pose.vyPxPerS), 1e-9);

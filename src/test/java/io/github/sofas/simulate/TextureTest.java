@@ -4,7 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.simulate.Motion.Sway;
+import io.github.sofas.simulate.Trajectory.Sway;
 import io.github.sofas.simulate.Shape.Everywhere;
 import java.util.List;
 import java.util.Random;
@@ -41,11 +41,11 @@ public class TextureTest {
     /** Rotation, growth and sliding at once; what a pixel saw at its events follows from the texture alone. */
     @Test
     public void everyEventIsAThresholdFromTheLightOfTheEventBefore() {
-        Sway motion = new Sway(30, 20, 60, -30, 0.8, 0.3, 0.5, 0.7);
-        World world = new World(List.of(new MovingObject(1, new Everywhere(), motion, 1, texture)), 0.8);
+        Sway trajectory = new Sway(30, 20, 60, -30, 0.8, 0.3, 0.5, 0.7);
+        World world = new World(List.of(new MovingObject(1, new Everywhere(), trajectory, 1, texture)), 0.8);
         SimulatedRecording film = SimulatedRecording.of(world, IDEAL);
         Pose pose = new Pose();
-        motion.poseAt(0, pose);
+        trajectory.poseAt(0, pose);
         double[] level = new double[64 * 48];
         for (int pixel = 0; pixel < level.length; pixel++) {
             level[pixel] = logLight(pose, pixel % 64, pixel / 64);
@@ -54,7 +54,7 @@ public class TextureTest {
         for (int i = 0; i < film.size(); i++) {
             int pixel = film.y[i] * 64 + film.x[i];
             level[pixel] += 0.2 * film.polarity[i];
-            motion.poseAt((film.timeUs[i] + 0.5) * 1e-6, pose);
+            trajectory.poseAt((film.timeUs[i] + 0.5) * 1e-6, pose);
             worst = Math.max(worst, Math.abs(logLight(pose, film.x[i], film.y[i]) - level[pixel]));
         }
         assertTrue("events " + film.size(), film.size() > 10_000);
@@ -68,10 +68,10 @@ public class TextureTest {
 
     @Test
     public void slowTextureBehindAFastShapeIsDrawnAsExactlyAsAlone() {
-        Motion slow = new Sway(30, 20, 12, 5, 0, 0, 0, 1);
+        Trajectory slow = new Sway(30, 20, 12, 5, 0, 0, 0, 1);
         MovingObject wall = new MovingObject(2, new Everywhere(), slow, 1, texture);
         MovingObject fast = new MovingObject(1, new Shape.Disc(3),
-                new Motion.Straight(10, 8, 0, 300, 0, 0), 0.4);
+                new Trajectory.Straight(10, 8, 0, 300, 0, 0), 0.4);
         SimulatedRecording alone = SimulatedRecording.of(new World(List.of(wall), 1), IDEAL);
         SimulatedRecording both = SimulatedRecording.of(new World(List.of(fast, wall), 1), IDEAL);
         int[] below = {0, 0};

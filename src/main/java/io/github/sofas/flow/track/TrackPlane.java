@@ -71,7 +71,7 @@ public final class TrackPlane {
     private final Contour contour;
     private final Motion motion = new Motion();
     private final SteppedProjection stepped = new SteppedProjection();
-    private final Shape shape;
+    private final ContourMemory shape;
     private final MotionChange change = new MotionChange();
 
     private int id;
@@ -97,13 +97,13 @@ public final class TrackPlane {
     TrackPlane(int sensorWidth, int sensorHeight, SofasParameters.Track p) {
         this.p = p;
         contour = new Contour(sensorWidth, sensorHeight);
-        shape = new Shape(sensorWidth, sensorHeight);
+        shape = new ContourMemory(sensorWidth, sensorHeight);
     }
 
     /** The most bytes that its arrays take. */
     static long mostBytes(SensorSize sensor) {
         return Integer.BYTES * (sensor.width() + 2L * Contour.MARGIN) * (sensor.height() + 2L * Contour.MARGIN)
-            + ((long) Integer.BYTES << Shape.bits(sensor.width()) + Shape.bits(sensor.height()))
+            + ((long) Integer.BYTES << ContourMemory.bits(sensor.width()) + ContourMemory.bits(sensor.height()))
             + LiveEvents.BYTES;
     }
 

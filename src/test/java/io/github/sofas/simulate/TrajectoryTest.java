@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Random;
 import org.junit.Test;
 
-public class MotionTest {
+public class TrajectoryTest {
     private final Pose pose = new Pose();
 
     @Test
     public void rotationMovesEachPointAtRightAnglesToItsArm() {
         // One turn in 2 pi s: 1 rad/s, from right to down. The point 10 to the right moves down at 10 px/s,
         // the point 5 below moves left at 5 px/s.
-        new Motion.Rotation(100, 50, 0.3, 1).poseAt(2, pose);
+        new Trajectory.Rotation(100, 50, 0.3, 1).poseAt(2, pose);
         assertEquals(0, pose.vxAt(100, 50), 1e-12);
         assertEquals(10, pose.vyAt(110, 50), 1e-12);
         assertEquals(-5, pose.vxAt(100, 55), 1e-12);
@@ -24,7 +24,7 @@ public class MotionTest {
     @Test
     public void rotationTurnsTheShapeFromRightToDown() {
         // After a quarter turn a box that lay along x stands upright.
-        new Motion.Rotation(0, 0, 0, Math.PI / 2).poseAt(1, pose);
+        new Trajectory.Rotation(0, 0, 0, Math.PI / 2).poseAt(1, pose);
         Shape bar = new Shape.Box(10, 0, 20, 2);
         assertEquals(-1, pose.distanceTo(bar, 0, 10), 1e-9);
         assertEquals(9, pose.distanceTo(bar, 10, 10), 1e-9);
@@ -60,7 +60,7 @@ public class MotionTest {
 
     @Test
     public void panTurnsRoundInItsMiddle() {
-        Motion pan = new Motion.ThereAndBack(10, 20, 50, 0, 4, 0);
+        Trajectory pan = new Trajectory.ThereAndBack(10, 20, 50, 0, 4, 0);
         pan.poseAt(0, pose);
         assertEquals(50, pose.vxPxPerS, 1e-9);
         pan.poseAt(2, pose);
@@ -72,28 +72,28 @@ public class MotionTest {
     }
 
     @Test
-    public void velocityIsTheDerivativeOfPlaceInEveryMotion() {
-        List<Motion> motions = List.of(
-                new Motion.Straight(5, 6, 1, 58, -20, 0.5),
-                new Motion.Rotation(5, 6, 0.5, -3),
-                new Motion.ThereAndBack(5, 6, 58, -20, 4, 0),
+    public void velocityIsTheDerivativeOfPlaceOnEveryTrajectory() {
+        List<Trajectory> trajectories = List.of(
+                new Trajectory.Straight(5, 6, 1, 58, -20, 0.5),
+                new Trajectory.Rotation(5, 6, 0.5, -3),
+                new Trajectory.ThereAndBack(5, 6, 58, -20, 4, 0),
                 new Pendulum(120, 90, 373, 0.6),
                 new Wander(60, 60, 1, 120, 90, 90, 60, 58, 4, new Random(3)));
         double gap = 1e-6;
-        for (Motion motion : motions) {
+        for (Trajectory trajectory : trajectories) {
             for (double time = 0.0123; time < 4; time += 0.3) {
                 Pose before = new Pose();
                 Pose after = new Pose();
-                motion.poseAt(time - gap, before);
-                motion.poseAt(time + gap, after);
-                motion.poseAt(time, pose);
+                trajectory.poseAt(time - gap, before);
+                trajectory.poseAt(time + gap, after);
+                trajectory.poseAt(time, pose);
                 assertEquals((after.x - before.x) / (2 * gap), pose.vxPxPerS, 1e-3);
                 assertEquals((after.y - before.y) / (2 * gap), pose.vyPxPerS, 1e-3);
                 double turned = Math.atan2(before.cos * after.sin - before.sin * after.cos,
                         before.cos * after.cos + before.sin * after.sin);
                 assertEquals(turned / (2 * gap), pose.turnRadPerS, 1e-3);
                 double speed = Math.hypot(pose.vxAt(pose.x, pose.y + 10), pose.vyAt(pose.x, pose.y + 10));
-                assertTrue(speed <= motion.maxSpeedPxPerS(10) + 1e-9);
+                assertTrue(speed <= trajectory.maxSpeedPxPerS(10) + 1e-9);
             }
         }
     }
@@ -116,20 +116,20 @@ public class MotionTest {
 
     @Test
     public void paceIsOneThenBendsToItsLast() {
-        Motion.Pace back = new Motion.Pace(-1, 1, 0.5);
+        Trajectory.Pace back = new Trajectory.Pace(-1, 1, 0.5);
         assertEquals(1, back.rate(0.9), 0);
         assertEquals("half way through the bend", 0, back.rate(1.25), 1e-12);
         assertEquals(-1, back.rate(1.5), 1e-12);
         // 1 s forward, the bend cancels itself, 1 s back.
         assertEquals(1, back.travelledS(1.5), 1e-12);
         assertEquals(0, back.travelledS(2.5), 1e-12);
-        Motion.Pace stop = new Motion.Pace(0, 1, 0.5);
+        Trajectory.Pace stop = new Trajectory.Pace(0, 1, 0.5);
         assertEquals("half of the bend's time", 1.25, stop.travelledS(9), 1e-12);
     }
 
     @Test
     public void approachingDoublesInSizeWhenHalfTheTimeToContactIsOver() {
-        Motion approach = new Motion.Approach(120, 90, 10, 0, 0, 0.5, 4, 3);
+        Trajectory approach = new Trajectory.Approach(120, 90, 10, 0, 0, 0.5, 4, 3);
         approach.poseAt(0, pose);
         assertEquals(0.25, pose.growthPerS, 1e-12);
         assertEquals(120 + 0.5 * 10, pose.x, 1e-12);
@@ -143,27 +143,27 @@ public class MotionTest {
 
     @Test
     public void ratesAreDerivativesOfPlaceAngleAndSize() {
-        List<Motion> motions = List.of(new Motion.Sway(10, 20, 30, -40, 0.9, 0.35, 0.6, 1.3),
-                new Motion.Approach(120, 90, 10, -7, 0.4, 0.45, 3.9, 2.8),
-                new Motion.Journey(50, 60, 1.1, 70, -20, new Motion.Pace(-1, 0.8, 0.6), 0.3, 1.7),
-                new Motion.Journey(50, 60, 1.1, 70, -20, new Motion.Pace(0, 0.8, 0.6), 0.3, -1.7));
+        List<Trajectory> trajectories = List.of(new Trajectory.Sway(10, 20, 30, -40, 0.9, 0.35, 0.6, 1.3),
+                new Trajectory.Approach(120, 90, 10, -7, 0.4, 0.45, 3.9, 2.8),
+                new Trajectory.Journey(50, 60, 1.1, 70, -20, new Trajectory.Pace(-1, 0.8, 0.6), 0.3, 1.7),
+                new Trajectory.Journey(50, 60, 1.1, 70, -20, new Trajectory.Pace(0, 0.8, 0.6), 0.3, -1.7));
         double h = 1e-5;
         Pose later = new Pose();
-        for (Motion motion : motions) {
+        for (Trajectory trajectory : trajectories) {
             for (double t = 0.05; t < 2.5; t += 0.07) {
-                motion.poseAt(t - h, pose);
-                motion.poseAt(t + h, later);
+                trajectory.poseAt(t - h, pose);
+                trajectory.poseAt(t + h, later);
                 double vx = (later.x - pose.x) / (2 * h);
                 double vy = (later.y - pose.y) / (2 * h);
                 double turn = Math.asin(later.sin * pose.cos - later.cos * pose.sin) / (2 * h);
                 double growth = Math.log(later.scale / pose.scale) / (2 * h);
-                motion.poseAt(t, pose);
+                trajectory.poseAt(t, pose);
                 assertEquals(vx, pose.vxPxPerS, 1e-4);
                 assertEquals(vy, pose.vyPxPerS, 1e-4);
                 assertEquals(turn, pose.turnRadPerS, 1e-6);
                 assertEquals(growth, pose.growthPerS, 1e-6);
                 double speed = Math.hypot(pose.vxAt(pose.x, pose.y + 10), pose.vyAt(pose.x, pose.y + 10));
-                assertTrue(speed <= motion.maxSpeedPxPerS(10) + 1e-9);
+                assertTrue(speed <= trajectory.maxSpeedPxPerS(10) + 1e-9);
             }
         }
     }

@@ -7,7 +7,7 @@ import io.github.sofas.flow.motion.Motion;
 import org.junit.Test;
 
 /** What a structure has looked like, in coordinates that travel and turn with it. */
-public class ShapeTest {
+public class ContourMemoryTest {
     private static Motion motion(long timeUs, double vx, double vy, double omega) {
         Motion motion = new Motion();
         motion.set(timeUs, vx, vy);
@@ -18,8 +18,8 @@ public class ShapeTest {
     }
 
     /** A vertical edge of twenty pixels at x = 50, seen at time 0 on a structure whose centre is at (40, 30). */
-    private static Shape edge(Motion at) {
-        Shape shape = new Shape(128, 96);
+    private static ContourMemory edge(Motion at) {
+        ContourMemory shape = new ContourMemory(128, 96);
         shape.start(at);
         shape.follow(at, 1_000_000);
         for (int y = 20; y < 40; y++) {
@@ -30,7 +30,7 @@ public class ShapeTest {
 
     @Test
     public void remembersWhereItWasSeenAndNowhereElse() {
-        Shape shape = edge(motion(0, 0, 0, 0));
+        ContourMemory shape = edge(motion(0, 0, 0, 0));
         // cells of 2 px from the centre: x 50 and 51 are one; the four around an event are two columns
         assertEquals(2, shape.remembered(50, 30, 1000));
         assertEquals(2, shape.remembered(52, 30, 1000));
@@ -42,7 +42,7 @@ public class ShapeTest {
     @Test
     public void placesTravelWithTheStructure() {
         // 40 px/s to the right, 20 up: after 0.5 s 20 px and 10 px
-        Shape shape = edge(motion(0, 40, -20, 0));
+        ContourMemory shape = edge(motion(0, 40, -20, 0));
         assertEquals(2, shape.remembered(70, 20, 500_000));
         assertEquals(0, shape.remembered(50, 30, 500_000));
         shape.follow(motion(500_000, 40, -20, 0), 1_000_000);
@@ -54,7 +54,7 @@ public class ShapeTest {
     public void placesTurnWithTheStructure() {
         // a quarter turn a second, from x towards y, followed every 20 ms: what was right of the centre is below it
         double omega = Math.PI / 2;
-        Shape shape = edge(motion(0, 0, 0, omega));
+        ContourMemory shape = edge(motion(0, 0, 0, omega));
         for (int i = 1; i <= 50; i++) {
             shape.follow(motion(i * 20_000, 0, 0, omega), 2_000_000);
         }
@@ -66,14 +66,14 @@ public class ShapeTest {
     @Test
     public void placesAreForgottenAfterTheTimeOfMemory() {
         // seen at 0, remembered for 976 ticks of 1,024 us
-        Shape shape = edge(motion(0, 0, 0, 0));
+        ContourMemory shape = edge(motion(0, 0, 0, 0));
         assertEquals(2, shape.remembered(50, 30, (976L << 10) - 1));
         assertEquals(0, shape.remembered(50, 30, 976L << 10));
     }
 
     @Test
     public void nothingIsRememberedAtTheStart() {
-        Shape shape = edge(motion(0, 0, 0, 0));
+        ContourMemory shape = edge(motion(0, 0, 0, 0));
         shape.start(motion(10, 0, 0, 0));
         shape.follow(motion(10, 0, 0, 0), 1_000_000);
         assertEquals(0, shape.remembered(50, 30, 20));

@@ -1,7 +1,7 @@
 package io.github.sofas.simulate;
 
 /** How an object moves in the image: its place, angle, size and their rates at any time. */
-interface Motion {
+interface Trajectory {
     /** Fills the pose for a time in s since the scene began; rates are the derivatives of place, angle and size. */
     void poseAt(double timeS, Pose pose);
 
@@ -15,7 +15,7 @@ interface Motion {
 
     /** Constant velocity at a constant angle; the origin is at (midX, midY) at time midS. */
     record Straight(double midX, double midY, double midS, double vxPxPerS, double vyPxPerS, double angleRad)
-            implements Motion {
+            implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             pose.x = midX + vxPxPerS * (timeS - midS);
@@ -34,7 +34,7 @@ interface Motion {
     }
 
     /** Turning at a constant rate about a fixed origin. */
-    record Rotation(double x, double y, double startRad, double turnRadPerS) implements Motion {
+    record Rotation(double x, double y, double startRad, double turnRadPerS) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             pose.x = x;
@@ -56,7 +56,7 @@ interface Motion {
      * A pan that slows down, turns round and comes back: velocity v cos(pi t / duration), place its integral.
      */
     record ThereAndBack(double startX, double startY, double vxPxPerS, double vyPxPerS, double durationS,
-                        double angleRad) implements Motion {
+                        double angleRad) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             double phaseRad = Math.PI * timeS / durationS;
@@ -77,8 +77,8 @@ interface Motion {
         }
     }
 
-    /** The path of another motion without its turning. */
-    record NotTurning(Motion path) implements Motion {
+    /** The path of another trajectory without its turning. */
+    record NotTurning(Trajectory path) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             path.poseAt(timeS, pose);
@@ -99,7 +99,7 @@ interface Motion {
      * @param swing 0 for steady motion, below 1
      */
     record Sway(double startX, double startY, double vxPxPerS, double vyPxPerS, double turnRadPerS, double growthPerS,
-                double swing, double periodS) implements Motion {
+                double swing, double periodS) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             double slid = integral(timeS, 0);
@@ -144,7 +144,7 @@ interface Motion {
      * @param endS when it is last looked at, before contactS
      */
     record Approach(double focusX, double focusY, double offsetX, double offsetY, double angleRad, double startScale,
-                    double contactS, double endS) implements Motion {
+                    double contactS, double endS) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             pose.scale = startScale * contactS / (contactS - timeS);
@@ -175,7 +175,7 @@ interface Motion {
      * @param pace how the speed changes
      */
     record Journey(double atX, double atY, double atS, double vxPxPerS, double vyPxPerS, Pace pace, double startRad,
-                   double turnRadPerS) implements Motion {
+                   double turnRadPerS) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
             double travelledS = pace.travelledS(timeS) - pace.travelledS(atS);

@@ -10,7 +10,7 @@ import java.util.Arrays;
  *
  * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last.
  */
-final class Shape {
+final class ContourMemory {
     /** Ticks are 1,024 us. */
     private static final int TICK_BITS = 10;
     /** Twelve days; then all is forgotten, and ticks begin at 0 again. */
@@ -42,7 +42,7 @@ final class Shape {
     private double cellX;
     private double cellY;
 
-    Shape(int sensorWidth, int sensorHeight) {
+    ContourMemory(int sensorWidth, int sensorHeight) {
         columnBits = bits(sensorWidth);
         maskX = (1 << columnBits) - 1;
         maskY = (1 << bits(sensorHeight)) - 1;
