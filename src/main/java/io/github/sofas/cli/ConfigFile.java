@@ -20,7 +20,19 @@ final class ConfigFile {
     private static final int MOST_BYTES = 1 << 20;
 
     private final Path file;
-    private final Properties properties = new Properties();
+    private final Properties properties = new Properties() {
+        private static final long serialVersionUID = 1L;
+
+        /** Of two values the last would count, without a word. */
+        @Override
+        public synchronized Object put(Object key, Object value) {
+            Object before = super.put(key, value);
+            if (before != null) {
+                throw new DoubleKeyException(String.valueOf(key));
+            }
+            return null;
+        }
+    };
     private final List<String> lines;
 
     private ConfigFile(Path file, List<String> lines) {
@@ -53,9 +65,21 @@ final class ConfigFile {
         }
     }
 
+    /** A key stands twice. */
+    private static final class DoubleKeyException extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        DoubleKeyException(String key) {
+            super(key);
+        }
+    }
+
     private void load(String text, String name) throws IOException {
         try {
             properties.load(new StringReader(text));
+        } catch (DoubleKeyException e) {
+            String key = e.getMessage();
+            throw new IllegalArgumentException(place(key) + "\"" + key + "\" must stand once but stands twice", e);
         } catch (IllegalArgumentException e) {
             // Properties complains of \\u escapes so.
             throw new IllegalArgumentException(name + "cannot be read: " + e.getMessage(), e);

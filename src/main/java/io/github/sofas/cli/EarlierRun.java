@@ -6,6 +6,9 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 
 /**
  * What the summary of an earlier run says of it. The summary gets its name last of all results, so that none of them is
@@ -14,8 +17,9 @@ import java.nio.file.Path;
  * @param request what was asked for, as {@link RecordingRun#request()} tells it; null where the summary does not say
  * @param complete whether the recording was read to its end
  * @param doubtfulShare share of its events that were corrected, dropped or malformed
+ * @param fileBytes sizes of the other results when they were written, by name
  */
-record EarlierRun(String request, boolean complete, double doubtfulShare) {
+record EarlierRun(String request, boolean complete, double doubtfulShare, Map<String, Long> fileBytes) {
     private static final JsonFactory FACTORY = new JsonFactory();
 
     /** Reads a summary; null where there is none, or the file is something else. */
@@ -26,6 +30,7 @@ record EarlierRun(String request, boolean complete, double doubtfulShare) {
         String request = null;
         boolean complete = false;
         double doubtfulShare = 0;
+        Map<String, Long> fileBytes = new HashMap<>();
         try (JsonParser json = FACTORY.createParser(summary.toFile())) {
             while (json.nextToken() != null) {
                 String path = json.getParsingContext().pathAsPointer().toString();
@@ -35,11 +40,46 @@ record EarlierRun(String request, boolean complete, double doubtfulShare) {
                     complete = json.currentToken() == JsonToken.VALUE_TRUE;
                 } else if (path.equals("/recording/doubtful_share") && json.currentToken().isNumeric()) {
                     doubtfulShare = json.getDoubleValue();
+                } else if (path.startsWith("/file_bytes/") && json.currentToken() == JsonToken.VALUE_NUMBER_INT) {
+                    fileBytes.put(json.currentName(), json.getLongValue());
                 }
             }
         } catch (IOException e) {
             return null;
         }
-        return new EarlierRun(request, complete, doubtfulShare);
+        return new EarlierRun(request, complete, doubtfulShare, fileBytes);
+    }
+
+    /**
+     * Why its results are not those of a run; null where they are, and whole.
+     *
+     * @param wanted what that run asks for
+     * @param files its results
+     */
+    String whyNot(String wanted, List<Path> files) {
+        String[] now = wanted.split(" ");
+        String[] then = request == null ? new String[0] : request.split(" ");
+        if (then.length != now.length) {
+            return "its results are of another program, or of an older version";
+        }
+        if (!then[0].equals(now[0])) {
+            return "its results are of version " + then[0] + " and this is " + now[0];
+        }
+        if (!then[1].equals(now[1])) {
+            return "the recording has another size or time of change than it had";
+        }
+        if (!then[2].equals(now[2])) {
+            return "its results are of other options or parameters";
+        }
+        if (!complete) {
+            return "the recording could not be read to its end";
+        }
+        for (Path file : files) {
+            Long bytes = fileBytes.get(file.getFileName().toString());
+            if (bytes != null && file.toFile().length() != bytes) {
+                return file.getFileName() + " must have " + bytes + " bytes but has " + file.toFile().length();
+            }
+        }
+        return null;
     }
 }

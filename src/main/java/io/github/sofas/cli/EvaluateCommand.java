@@ -16,10 +16,9 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -80,7 +79,7 @@ final class EvaluateCommand implements Callable<Integer> {
         MethodChoice method = methodOptions.choice(parameterOptions);
         EvaluationOptions options = options();
         Path recording = recording();
-        checkFiles();
+        checkFiles(recording);
         try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
             EventSourceException damage = truth == null ? measure(recording, reader, method)
                 : holdAgainstTruth(recording, reader, method, options);
@@ -152,7 +151,7 @@ final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    private void checkFiles() {
+    private void checkFiles(Path recording) {
         try {
             reading.check();
         } catch (IllegalArgumentException e) {
@@ -161,10 +160,11 @@ final class EvaluateCommand implements Callable<Integer> {
         if (truth != null && !Files.exists(truth)) {
             throw usage("[" + truth + "] no such file");
         }
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        List<Path> files = Arrays.asList(json, csv);
+        outputs.check(Arrays.asList(recording, truth, parameterOptions.config()), files);
         if (!force) {
-            Stream.of(json, csv).filter(Objects::nonNull).filter(Files::exists).forEach(existing -> {
-                throw usage("[" + existing + "] exists already; --force replaces it");
-            });
+            outputs.refuseExisting(files);
         }
     }
 
@@ -178,7 +178,7 @@ final class EvaluateCommand implements Callable<Integer> {
     }
 
     private void write(Form asJson, Form asCsv) throws IOException {
-        try (ResultFiles results = new ResultFiles()) {
+        try (ResultFiles results = new ResultFiles(force)) {
             if (json != null) {
                 try (OutputStream file = results.create(json)) {
                     asJson.writeTo(file);

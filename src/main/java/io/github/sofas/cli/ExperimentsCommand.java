@@ -12,6 +12,7 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -98,16 +99,16 @@ final class ExperimentsCommand implements Callable<Integer> {
         if (out == null) {
             return tables();
         }
-        for (ExperimentFiles file : ExperimentFiles.values()) {
-            Path path = out.resolve(file.fileName());
-            if (!force && Files.exists(path)) {
-                throw usage("[" + path + "] exists already; --force replaces it");
-            }
+        List<Path> files = Arrays.stream(ExperimentFiles.values()).map(file -> out.resolve(file.fileName())).toList();
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        outputs.check(List.of(), files);
+        if (!force) {
+            outputs.refuseExisting(files);
         }
+        // before a minute of work, not after it
+        outputs.makeFolder(out);
         PrintWriter err = spec.commandLine().getErr();
         try {
-            // before a minute of work, not after it
-            Files.createDirectories(out);
             Consumer<String> progress = quiet ? part -> { } : err::println;
             Experiments experiments = Experiments.run(recordings, jobs, progress);
             write(experiments);
@@ -175,7 +176,7 @@ final class ExperimentsCommand implements Callable<Integer> {
     }
 
     private void write(Experiments experiments) throws IOException {
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(force)) {
             for (ExperimentFiles file : ExperimentFiles.values()) {
                 try (OutputStream stream = new BufferedOutputStream(files.create(out.resolve(file.fileName())))) {
                     file.write(experiments, Version.text(), stream);

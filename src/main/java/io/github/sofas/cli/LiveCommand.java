@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.ResultFiles;
 import io.github.sofas.export.RunSummary;
 import io.github.sofas.live.Biases;
 import io.github.sofas.live.CameraSource;
@@ -11,15 +12,17 @@ import io.github.sofas.live.Usb4JavaTransport;
 import io.github.sofas.live.UsbException;
 import io.github.sofas.live.UsbTransport;
 import io.github.sofas.recording.Chip;
+import io.github.sofas.recording.Printable;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -109,7 +112,7 @@ final class LiveCommand implements Callable<Integer> {
         } catch (UsbException e) {
             err.println("USB cannot be used: " + e.getMessage());
         } catch (IOException e) {
-            err.println("[" + out + "] results cannot be written: " + FileFailure.text(e));
+            err.println(Printable.of("[" + out + "] results cannot be written: " + FileFailure.text(e)));
         }
         return Main.FAILED;
     }
@@ -146,19 +149,28 @@ final class LiveCommand implements Callable<Integer> {
             throw usage((serial != null ? "--serial" : "--biases") + " is of a camera and does not go with --udp");
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
+        if (!name.equals(String.valueOf(Path.of(name).getFileName())) || name.equals(".") || name.equals("..")
+                || name.isEmpty()) {
+            throw usage("--name must be the name of a file, without folders, but was \"" + name + "\"");
         }
-        List<Path> existing = new ArrayList<>(RecordingRun.existing(out, name));
-        if (record != null && Files.exists(record)) {
-            existing.add(record);
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        List<Path> files = new ArrayList<>(RecordingRun.files(out, name));
+        files.add(record);
+        outputs.check(Arrays.asList(biases, parameterOptions.config()), files);
+        if (!force) {
+            outputs.refuseExisting(files);
         }
-        if (!force && !existing.isEmpty()) {
-            throw usage("[" + existing.get(0) + "] exists already; --force replaces it");
-        }
+        outputs.makeFolder(out);
+        offerWhatIsLeft(files);
         return method;
+    }
+
+    /** A run that was killed could not give its files their names; they hold all but its last second. */
+    private void offerWhatIsLeft(List<Path> files) {
+        files.stream().filter(Objects::nonNull).map(file -> file.toAbsolutePath().getParent()).distinct()
+            .flatMap(folder -> ResultFiles.leftBehind(folder).stream())
+            .forEach(left -> spec.commandLine().getErr().println(Printable.of("[" + left + "] was left by a run that "
+                + "was killed: " + left.toFile().length() + " bytes; give it another name to keep it, or delete it")));
     }
 
     private ParameterException usage(String message) {
@@ -246,11 +258,19 @@ final class LiveCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         LiveStatus status = new LiveStatus(source, err, RunProgress.standardErrorIsTerminal()
             ? spec.usageMessage().width() : Integer.MAX_VALUE, System::nanoTime);
-        LiveRun run = new LiveRun(source, method, out, name, record, status);
+        LiveRun run = new LiveRun(source, method, out, name, record, force, status);
+        DiskWatch disk = new DiskWatch(out.toString(), out.toFile()::getUsableSpace, run::bytesWritten,
+            System::nanoTime);
         ScheduledExecutorService clock = Executors.newScheduledThreadPool(1);
         RecordingRun.Outcome outcome;
         StopSignals signals = StopSignals.handle(source::stop);
         try {
+            clock.scheduleAtFixedRate(() -> {
+                String warning = disk.warning();
+                if (warning != null) {
+                    status.warn(warning);
+                }
+            }, 1, 1, TimeUnit.SECONDS);
             if (!quiet) {
                 err.println("[" + source.name() + "] " + source.formatName() + ", " + source.sensor()
                     + " px, labelling" + (durationS == null ? " until Ctrl-C" : ""));

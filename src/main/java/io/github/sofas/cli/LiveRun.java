@@ -21,12 +21,17 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
 
 /**
  * A live stream from its first event to its result files: take a packet, label it, write its rows, again, until the
@@ -42,17 +47,21 @@ final class LiveRun {
     private static final int WARM_UP_BATCH = 2048;
     private static final long COMPILER_PAUSE_NS = 150_000_000;
     private static final int COMPILER_LOOKS = 10;
+    /** More than segments and summary take. */
+    private static final int RESERVE_BYTES = 1 << 20;
 
     private final LiveSource source;
     private final MethodChoice method;
     private final Path out;
     private final String name;
     private final Path record;
+    private final boolean replaces;
     private final LiveStatus status;
 
     private final List<Segment> segments = new ArrayList<>();
     private final EventLabeller labeller;
     private final WithoutFlow withoutFlow;
+    private volatile List<Path> written = List.of();
     private long events;
     private long eventsWithFlow;
     private long firstTimeUs;
@@ -73,14 +82,17 @@ final class LiveRun {
      * @param out folder of the results
      * @param name of the results, without their endings
      * @param record where the events are recorded; null for nowhere
+     * @param replaces whether files that exist are replaced
      * @param status is told how it goes
      */
-    LiveRun(LiveSource source, MethodChoice method, Path out, String name, Path record, LiveStatus status) {
+    LiveRun(LiveSource source, MethodChoice method, Path out, String name, Path record, boolean replaces,
+            LiveStatus status) {
         this.source = source;
         this.method = method;
         this.out = out;
         this.name = name;
         this.record = record;
+        this.replaces = replaces;
         this.status = status;
         labeller = method.make(source.sensor(), segments::add);
         withoutFlow = new WithoutFlow(source.sensor());
@@ -133,38 +145,112 @@ final class LiveRun {
     }
 
     /**
-     * Runs until the source ends. One that failed has results too, of every event before.
+     * Runs until the source ends. One that failed has results too, of every event before. Where the disk is full, or
+     * fails, what is on it stays, closed as well as it can be.
      *
      * @throws EventSourceException where the source cannot be started; there are no results then
-     * @throws IOException where the results cannot be written; there are none then
+     * @throws IOException where the results cannot be begun, or not be given their names; the message then says under
+     *     which names they are
      */
     RecordingRun.Outcome run(Start start) throws EventSourceException, IOException {
-        try (ResultFiles results = new ResultFiles()) {
+        Path flow = RecordingRun.flowFile(out, name);
+        try (ResultFiles results = ResultFiles.ofCapture(replaces)) {
+            List<LiveSink> sinks = new ArrayList<>();
             EventSourceException failure;
             long startNs;
-            try (FlowCsvWriter csv = new FlowCsvWriter(results.create(RecordingRun.flowFile(out, name)));
-                    Aedat2Writer recorder = record == null ? null
-                        : new Aedat2Writer(results.create(record), source.chip());
-                    LiveWriter writer = new LiveWriter(csv, recorder)) {
-                startNs = System.nanoTime();
-                start.start();
-                failure = label(writer);
-                outputNs = writer.finish();
+            try (FileChannel reserve = reserve()) {
+                assert reserve.isOpen();
+                open(results, flow, sinks);
+                written = results.temporaries();
+                try (LiveWriter writer = new LiveWriter(sinks, status::warn)) {
+                    startNs = System.nanoTime();
+                    start.start();
+                    results.keepAll();
+                    failure = label(writer);
+                    outputNs = writer.finish();
+                }
+            } finally {
+                sinks.forEach(LiveSink::close);
             }
             source.stop();
             segments.addAll(labeller.segments());
-            RunSummary summary = summary(failure, (System.nanoTime() - startNs) / 1e9);
+            List<String> unwritten = new ArrayList<>();
+            for (LiveSink sink : sinks) {
+                if (sink.failure() != null) {
+                    unwritten.add(sink.fault());
+                }
+            }
+            RunSummary summary = summary(failure, unwritten, (System.nanoTime() - startNs) / 1e9);
+            writeSegmentsAndSummary(results, summary, unwritten);
+            commit(results);
+            return new RecordingRun.Outcome(summary, failure == null && !unwritten.isEmpty()
+                ? new EventSourceException(unwritten.get(unwritten.size() - 1)) : failure, null);
+        }
+    }
+
+    /** How many bytes were written so far. */
+    long bytesWritten() {
+        return written.stream().mapToLong(file -> file.toFile().length()).sum();
+    }
+
+    private void open(ResultFiles results, Path flow, List<LiveSink> sinks) throws IOException {
+        FlowCsvWriter csv = new FlowCsvWriter(results.create(flow));
+        sinks.add(LiveSink.rows(flow, results.temporary(flow), csv));
+        if (record != null) {
+            Aedat2Writer aedat = new Aedat2Writer(results.create(record), source.chip());
+            sinks.add(LiveSink.records(record, results.temporary(record), aedat));
+        }
+    }
+
+    /**
+     * Room that is given back when it is closed, for what is written at the end, be the disk full then. It has no name
+     * while it is held where the system allows that, so that a program that is killed leaves nothing of it.
+     */
+    private FileChannel reserve() throws IOException {
+        Path file = out.resolve("." + name + "." + ProcessHandle.current().pid() + ".reserve");
+        FileChannel reserve = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
+            StandardOpenOption.DELETE_ON_CLOSE);
+        try {
+            reserve.write(ByteBuffer.allocate(RESERVE_BYTES));
+            Files.deleteIfExists(file);
+        } catch (IOException e) {
+            reserve.close();
+            throw e;
+        }
+        return reserve;
+    }
+
+    private void writeSegmentsAndSummary(ResultFiles results, RunSummary summary, List<String> unwritten) {
+        try {
             RecordingRun.writeSegmentsAndSummary(results, out, name, summary);
+        } catch (IOException e) {
+            results.forget(RecordingRun.segmentsFile(out, name));
+            results.forget(RecordingRun.summaryFile(out, name));
+            unwritten.add("[" + name + "] segments and summary cannot be written: " + FileFailure.text(e));
+        }
+    }
+
+    private void commit(ResultFiles results) throws IOException {
+        List<Path> kept = results.temporaries();
+        try {
             results.commit();
-            return new RecordingRun.Outcome(summary, failure);
+        } catch (IOException e) {
+            throw new IOException(FileFailure.text(e) + "; what was caught is in " + kept.stream()
+                .filter(Files::exists).map(Path::toString).collect(Collectors.joining(", ")), e);
         }
     }
 
     /** Labels to the end, and returns what ended it; null where it was asked to end. */
-    private EventSourceException label(LiveWriter writer) throws IOException {
+    private EventSourceException label(LiveWriter writer) {
         Thread.currentThread().setPriority(Thread.MAX_PRIORITY);
         while (true) {
-            LiveWriter.Labelled next = writer.empty();
+            LiveWriter.Labelled next;
+            try {
+                next = writer.empty();
+            } catch (IOException e) {
+                // nothing more can be kept
+                return null;
+            }
             EventBatch batch = next.events;
             try {
                 if (!source.next(batch)) {
@@ -190,7 +276,7 @@ final class LiveRun {
         }
     }
 
-    private RunSummary summary(EventSourceException failure, double wallS) {
+    private RunSummary summary(EventSourceException failure, List<String> unwritten, double wallS) {
         Map<String, Long> counts = new LinkedHashMap<>();
         counts.put("dvs_events", events);
         counts.putAll(source.counts());
@@ -198,9 +284,10 @@ final class LiveRun {
         if (failure != null) {
             faults.add(failure.getMessage());
         }
+        faults.addAll(unwritten);
         RecordingSummary read = new RecordingSummary(source.name(), source.formatName(), source.chip().name(),
-            source.sensor(), events, firstTimeUs, lastTimeUs, counts, failure == null, faults,
-            List.of(), 0);
+            source.sensor(), events, firstTimeUs, lastTimeUs, counts,
+            failure == null && unwritten.isEmpty(), faults, List.of(), 0);
         RunSummary.Seconds seconds = new RunSummary.Seconds(wallS, source.decodeS(), engineNs / 1e9, outputNs / 1e9);
         return new RunSummary(Version.text(), "", read, method.method(), method.preset(), method.parameters(),
             eventsWithFlow, withoutFlow.likelyReason(), segments, source.dropped(), seconds,

@@ -3,6 +3,7 @@ package io.github.sofas.cli;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.live.LiveSource;
+import io.github.sofas.recording.Printable;
 import java.io.PrintWriter;
 import java.util.Comparator;
 import java.util.List;
@@ -71,6 +72,12 @@ final class LiveStatus {
         }
     }
 
+    /** Shows a warning at once. */
+    void warn(String message) {
+        err.println(Printable.of(message));
+        err.flush();
+    }
+
     /** Shows what happened since the last line. */
     void show() {
         String line = line();
@@ -118,6 +125,9 @@ final class LiveStatus {
 
     /** How long events took from their arrival to their label. */
     synchronized String latency() {
+        if (latencyUs.getTotalCount() == 0) {
+            return "no event came in";
+        }
         return String.format(Locale.ROOT, "from arrival to label: p50 %.1f ms, p99 %.1f ms, p99.9 %.1f ms, "
             + "longest %.1f ms", latencyUs.getValueAtPercentile(50) / 1e3, latencyUs.getValueAtPercentile(99) / 1e3,
             latencyUs.getValueAtPercentile(99.9) / 1e3, latencyUs.getMaxValue() / 1e3);

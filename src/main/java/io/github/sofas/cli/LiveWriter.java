@@ -1,14 +1,17 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.event.EventBatch;
-import io.github.sofas.export.FlowCsvWriter;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.live.ThreadEnd;
-import io.github.sofas.recording.Aedat2Writer;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 
 /**
  * Writes labelled events on a thread of its own, so that events do not wait for their labels while rows are made and a
@@ -20,14 +23,17 @@ final class LiveWriter implements AutoCloseable {
     private static final int BATCHES = 128;
     /** More than a transfer brings at 1 million events/s. */
     private static final int BATCH = 2048;
+    /** What was caught is on the disk after so long. */
+    private static final long FLUSH_NS = 1_000_000_000;
     private static final Labelled END = new Labelled();
 
-    private final FlowCsvWriter csv;
-    private final Aedat2Writer recorder;
+    private final List<LiveSink> sinks;
+    private final Consumer<String> warn;
+    private final Set<LiveSink> failed = new HashSet<>();
     private final BlockingQueue<Labelled> empty = new ArrayBlockingQueue<>(BATCHES);
     private final BlockingQueue<Labelled> filled = new ArrayBlockingQueue<>(BATCHES + 1);
     private final Thread thread = new Thread(this::write, "results");
-    private volatile IOException failure;
+    private volatile boolean nothingIsWritten;
     private long outputNs;
 
     /** Events and their labels. */
@@ -39,12 +45,12 @@ final class LiveWriter implements AutoCloseable {
     /**
      * Starts writing.
      *
-     * @param csv takes the rows; not closed here
-     * @param recorder takes the events; null for none; not closed here
+     * @param sinks take the events; not closed here
+     * @param warn is told at once which of them cannot be written on
      */
-    LiveWriter(FlowCsvWriter csv, Aedat2Writer recorder) {
-        this.csv = csv;
-        this.recorder = recorder;
+    LiveWriter(List<LiveSink> sinks, Consumer<String> warn) {
+        this.sinks = sinks;
+        this.warn = warn;
         for (int i = 0; i < BATCHES; i++) {
             empty.add(new Labelled());
         }
@@ -56,14 +62,12 @@ final class LiveWriter implements AutoCloseable {
     /**
      * A batch to be filled; waits for one while all wait to be written.
      *
-     * @throws IOException where something before could not be written
+     * @throws IOException where nothing more can be written anywhere
      */
     Labelled empty() throws IOException {
         try {
             Labelled batch = empty.take();
-            if (failure != null) {
-                throw failure;
-            }
+            throwIfNothingIsWritten();
             return batch;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -76,45 +80,47 @@ final class LiveWriter implements AutoCloseable {
         filled.add(batch);
     }
 
+    private void throwIfNothingIsWritten() throws IOException {
+        if (nothingIsWritten) {
+            throw sinks.get(0).failure();
+        }
+    }
+
     private void write() {
         try {
-            for (Labelled batch = filled.take(); batch != END; batch = filled.take()) {
-                // after a failure batches are only given back: the thread that labels must not wait for ever
-                if (failure == null) {
-                    long startNs = System.nanoTime();
-                    write(batch);
-                    outputNs += System.nanoTime() - startNs;
+            long flushedNs = System.nanoTime();
+            while (true) {
+                Labelled batch = filled.poll(FLUSH_NS, TimeUnit.NANOSECONDS);
+                if (batch == END) {
+                    return;
                 }
-                empty.add(batch);
+                long startNs = System.nanoTime();
+                if (batch != null) {
+                    for (LiveSink sink : sinks) {
+                        sink.write(batch.events, batch.flow);
+                    }
+                    empty.add(batch);
+                }
+                if (startNs - flushedNs >= FLUSH_NS) {
+                    flushedNs = startNs;
+                    sinks.forEach(LiveSink::flush);
+                }
+                outputNs += System.nanoTime() - startNs;
+                for (LiveSink sink : sinks) {
+                    if (sink.failure() != null && failed.add(sink)) {
+                        warn.accept(sink.fault());
+                    }
+                }
+                nothingIsWritten = failed.size() == sinks.size();
             }
         } catch (InterruptedException e) {
             throw new IllegalStateException("nobody interrupts this thread", e);
         }
     }
 
-    private void write(Labelled batch) {
-        try {
-            csv.write(batch.events, batch.flow);
-            if (recorder != null) {
-                recorder.write(batch.events);
-            }
-        } catch (IOException e) {
-            failure = e;
-        } catch (RuntimeException e) {
-            failure = new IOException("unexpected error: " + e, e);
-        }
-    }
-
-    /**
-     * Writes what was handed over, and returns the time spent on writing, in nanoseconds.
-     *
-     * @throws IOException where something could not be written
-     */
-    long finish() throws IOException {
+    /** Writes what was handed over, as far as it can be, and returns the time spent on writing, in nanoseconds. */
+    long finish() {
         close();
-        if (failure != null) {
-            throw failure;
-        }
         return outputNs;
     }
 

@@ -47,13 +47,25 @@ public final class Main {
             err.println("Try '" + exception.getCommandLine().getCommandSpec().qualifiedName() + " --help'.");
             return USAGE;
         });
+        commandLine.setExecutionStrategy(parsed -> {
+            OnceEach.check(parsed);
+            return new CommandLine.RunLast().execute(parsed);
+        });
         commandLine.setExecutionExceptionHandler((exception, failed, ignored) -> {
+            if (exception instanceof FailureException) {
+                err.println(Printable.of(exception.getMessage()));
+                return FAILED;
+            }
             sofas.printUnexpected(err, "", exception);
             return FAILED;
         });
         int exitCode = commandLine.execute(args);
-        out.flush();
+        // flushes, and tells of anything that was lost since the beginning
+        boolean isLost = out.checkError();
+        if (isLost) {
+            err.println("standard output cannot be written: what was to be printed is lost");
+        }
         err.flush();
-        return exitCode;
+        return isLost && exitCode == OK ? FAILED : exitCode;
     }
 }

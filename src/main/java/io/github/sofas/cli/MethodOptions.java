@@ -102,13 +102,33 @@ final class MethodOptions {
             (sensor, ended) -> new LucasKanade(sensor, chosen.derivative));
     }
 
+    /** Refuses what only SOFAS has, where another method was chosen. */
     private void refuseParametersOfSofas() {
-        List<String> ofSofas = new ArrayList<>(List.of("--preset", "--config"));
-        ParameterOptions.asMap(SofasParameters.defaults()).keySet().forEach(name -> ofSofas.add("--" + name));
+        refuse(ofSofas(), "is of --method sofas, not of " + method);
+    }
+
+    /**
+     * Refuses every option that says how events are labelled.
+     *
+     * @param instead the option with which they are not labelled
+     * @throws ParameterException where there is one
+     */
+    void refuseLabelling(String instead) {
+        List<String> labelling = ofSofas();
+        labelling.addAll(List.of("--method", "--derivative"));
+        refuse(labelling, "has no effect with " + instead + ": the events are not labelled again");
+    }
+
+    private static List<String> ofSofas() {
+        List<String> names = new ArrayList<>(List.of("--preset", "--config"));
+        ParameterOptions.asMap(SofasParameters.defaults()).keySet().forEach(name -> names.add("--" + name));
+        return names;
+    }
+
+    private void refuse(List<String> options, String why) {
         for (ArgSpec matched : command.commandLine().getParseResult().matchedArgs()) {
-            if (matched instanceof OptionSpec && ofSofas.contains(((OptionSpec) matched).longestName())) {
-                throw new ParameterException(command.commandLine(), ((OptionSpec) matched).longestName()
-                    + " is of --method sofas, not of " + method);
+            if (matched instanceof OptionSpec && options.contains(((OptionSpec) matched).longestName())) {
+                throw new ParameterException(command.commandLine(), ((OptionSpec) matched).longestName() + " " + why);
             }
         }
     }

@@ -112,6 +112,11 @@ final class ParameterOptions {
         return value instanceof Enum ? ((Enum<?>) value).name().toLowerCase(Locale.ROOT) : value.toString();
     }
 
+    /** The config file; null where there is none. */
+    Path config() {
+        return config;
+    }
+
     /** Name of the preset that was chosen. */
     String presetName() {
         return text(preset);

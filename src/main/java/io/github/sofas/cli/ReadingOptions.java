@@ -42,6 +42,9 @@ final class ReadingOptions {
      * @throws IllegalArgumentException where one is out of range, with a message for the user
      */
     void check() {
+        if (forceChip && chip == null) {
+            throw new IllegalArgumentException("--force-chip has no effect without --chip");
+        }
         if (!(doubtfulShare >= 0 && doubtfulShare <= 1)) {
             throw new IllegalArgumentException("--doubtful-share must be 0 to 1 but was " + doubtfulShare);
         }

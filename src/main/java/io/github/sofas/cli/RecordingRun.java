@@ -22,14 +22,13 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Map;
 
 /**
  * One recording from its first event to its result files: read a batch, label it, write its rows, again
@@ -41,16 +40,18 @@ import java.util.stream.Stream;
  * @param out folder of the results
  * @param name of the results, without their endings
  * @param reportedCommand what the report says was typed; null where no report is written
+ * @param replaces whether results that exist are replaced
  */
 record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name,
-                    String reportedCommand) {
+                    String reportedCommand, boolean replaces) {
     /**
      * What came of it.
      *
      * @param summary as written
      * @param damage why the recording could not be read to its end; null where it was
+     * @param reportFailure why there is no report; null where there is, or none was asked for
      */
-    record Outcome(RunSummary summary, EventSourceException damage) {
+    record Outcome(RunSummary summary, EventSourceException damage, Exception reportFailure) {
     }
 
     /** Where the row of every event goes. */
@@ -68,51 +69,55 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         return out.resolve(name + ".summary.json");
     }
 
-    /** The results of a name that exist. */
-    static List<Path> existing(Path out, String name) {
-        return Stream.of(flowFile(out, name), segmentsFile(out, name), summaryFile(out, name)).filter(Files::exists)
-            .toList();
+    /** The results of a name. */
+    static List<Path> files(Path out, String name) {
+        return List.of(flowFile(out, name), segmentsFile(out, name), summaryFile(out, name));
     }
 
     private Path reportFile() {
         return out.resolve(name + ".report.html");
     }
 
+    /** All that this run writes. */
+    List<Path> files() {
+        List<Path> files = new ArrayList<>(files(out, name));
+        if (reportedCommand != null) {
+            files.add(reportFile());
+        }
+        return files;
+    }
+
     /** The results of this run that exist. */
     List<Path> existing() {
-        List<Path> existing = new ArrayList<>(existing(out, name));
-        if (reportedCommand != null && Files.exists(reportFile())) {
-            existing.add(reportFile());
-        }
-        return existing;
+        return files().stream().filter(OutputFiles::isThere).toList();
+    }
+
+    /** The same run, which replaces results that exist. */
+    RecordingRun replacing() {
+        return new RecordingRun(recording, options, method, out, name, reportedCommand, true);
     }
 
     /**
-     * Fingerprint of all that the results follow from: the recording's size and time of change, how it is read, the
-     * method with its parameters, the program's version.
+     * All that the results follow from: the program's version, the recording's size and time of change, and a
+     * fingerprint of how it is read and of the method with its parameters.
      */
     String request() {
         File file = recording.toFile();
-        List<Object> all = List.of(Version.text(), file.length(), file.lastModified(), String.valueOf(options.chip()),
-            options.strict(), method.method(), method.preset(), method.parameters(), reportedCommand != null);
+        List<Object> all = List.of(String.valueOf(options.chip()), options.strict(), options.forceChip(),
+            method.method(), method.preset(), method.parameters(), reportedCommand != null);
         try {
             byte[] hash = MessageDigest.getInstance("SHA-256").digest(all.toString().getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(hash);
+            return String.join(" ", Version.text(), file.length() + "@" + file.lastModified(),
+                HexFormat.of().formatHex(hash));
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
     }
 
-    /** Whether the results of this very run are there, of the whole recording. */
-    boolean isDone() {
+    /** Why the results that are there are not those of this run, of the whole recording; null where they are. */
+    String whyNotDone() {
         EarlierRun earlier = EarlierRun.of(summaryFile(out, name));
-        return earlier != null && earlier.complete() && request().equals(earlier.request());
-    }
-
-    /** Whether the results that are there are a part of this run's, or of a damaged recording: it may replace them. */
-    boolean isBegun() {
-        EarlierRun earlier = EarlierRun.of(summaryFile(out, name));
-        return earlier == null ? !Files.exists(summaryFile(out, name)) : request().equals(earlier.request());
+        return earlier == null ? "there is no summary, or it is cut" : earlier.whyNot(request(), files());
     }
 
     /**
@@ -126,7 +131,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         long start = System.nanoTime();
         String request = request();
         try (RecordingReader reader = Recordings.open(recording, options);
-                ResultFiles results = new ResultFiles()) {
+                ResultFiles results = new ResultFiles(replaces)) {
             ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor());
             List<Segment> segments = new ArrayList<>();
             EventLabeller labeller = method.make(reader.sensor(), segments::add);
@@ -143,14 +148,24 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
                 method.parameters(), steps.eventsWithFlow, steps.withoutFlow.likelyReason(), segments,
                 Summaries.dropped(reader.counts()), seconds, peakHeapBytes());
-            if (report != null) {
-                try (OutputStream file = results.create(reportFile())) {
-                    report.write(file, summary, reportedCommand, results.temporary(flowFile(out, name)));
-                }
+            Exception reportFailure = steps.reportFailure;
+            if (report != null && reportFailure == null) {
+                reportFailure = writeReport(results, report, summary);
             }
             writeSegmentsAndSummary(results, out, name, summary);
             results.commit();
-            return new Outcome(summary, steps.damage);
+            return new Outcome(summary, steps.damage, reportFailure);
+        }
+    }
+
+    /** Writes the report; where that fails it costs the report, not the results. */
+    private Exception writeReport(ResultFiles results, ReportCollector report, RunSummary summary) {
+        try (OutputStream file = results.create(reportFile())) {
+            report.write(file, summary, reportedCommand, results.temporary(flowFile(out, name)));
+            return null;
+        } catch (IOException | RuntimeException e) {
+            results.forget(reportFile());
+            return e;
         }
     }
 
@@ -162,6 +177,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         private final RunProgress progress;
         private FlowCsvWriter csv;
         private EventSourceException damage;
+        private Exception reportFailure;
         private long decodeNs;
         private long engineNs;
         private long outputNs;
@@ -202,15 +218,24 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         public void write(BatchPipeline.Slot slot) throws IOException {
             long start = System.nanoTime();
             csv.write(slot.events, slot.flow);
-            if (report != null) {
-                report.add(slot.events, slot.flow);
-            }
+            addToReport(slot);
             outputNs += System.nanoTime() - start;
             withoutFlow.add(slot.events, slot.flow);
             int withFlow = countWithFlow(slot.events, slot.flow);
             eventsWithFlow += withFlow;
             progress.add(slot.bytesRead - bytesShown, slot.events.size(), withFlow);
             bytesShown = slot.bytesRead;
+        }
+
+        private void addToReport(BatchPipeline.Slot slot) {
+            if (report == null || reportFailure != null) {
+                return;
+            }
+            try {
+                report.add(slot.events, slot.flow);
+            } catch (RuntimeException e) {
+                reportFailure = e;
+            }
         }
     }
 
@@ -224,8 +249,9 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         try (OutputStream file = results.create(segmentsFile(out, name))) {
             SegmentsCsv.write(file, summary.segments());
         }
+        Map<String, Long> bytes = results.bytes();
         try (OutputStream file = results.create(summaryFile(out, name))) {
-            summary.write(file);
+            summary.write(file, bytes);
         }
     }
 

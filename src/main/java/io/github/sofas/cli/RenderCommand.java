@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -144,7 +145,7 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() {
         PrintWriter err = spec.commandLine().getErr();
         RenderRun run = check();
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(force)) {
             RenderRun.Outcome outcome = run.run(files);
             files.commit();
             outcome.notes().forEach(err::println);
@@ -207,6 +208,9 @@ final class RenderCommand implements Callable<Integer> {
         if (results != null && shown.panels.contains(Panel.CONTOURS)) {
             throw usage("--panels contours needs the track planes themselves: leave --results out");
         }
+        if (results != null) {
+            methodOptions.refuseLabelling("--results");
+        }
         MethodChoice method = methodOptions.choice(parameterOptions);
         if (!method.method().equals("sofas") && shown.panels.contains(Panel.CONTOURS)) {
             throw usage("--panels contours is of --method sofas, not of " + method.method());
@@ -225,18 +229,16 @@ final class RenderCommand implements Callable<Integer> {
         }
         String name = named.keySet().iterator().next();
         Path film = out.resolve(name + format.ending);
-        if (!force && Files.exists(film)) {
-            throw usage("[" + film + "] exists already; --force replaces it");
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        if (!force) {
+            outputs.refuseExisting(List.of(film));
         }
         Path flow = results == null ? null : RecordingRun.flowFile(results, name);
         if (flow != null && !Files.isRegularFile(flow)) {
             throw usage("[" + flow + "] no such file; 'sofas run' writes it");
         }
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
-        }
+        outputs.check(Arrays.asList(named.get(name), flow, parameterOptions.config()), List.of(film));
+        outputs.makeFolder(out);
         double fps = format == RenderRun.Format.GIF ? GifFilm.nearestFps(times.fps) : times.fps;
         double stepUs = 1e6 / (fps * (times.slow == null ? 1 : times.slow));
         RenderRun.Timing timing = new RenderRun.Timing(fps, stepUs, times.every == null ? 0 : times.every, times.fromS,

@@ -5,7 +5,6 @@ import io.github.sofas.recording.Printable;
 import io.github.sofas.recording.RecordingOptions;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -152,35 +151,49 @@ final class RunCommand implements Callable<Integer> {
         }
         RecordingOptions options = reading.recordingOptions();
         MethodChoice method = methodOptions.choice(parameterOptions);
-        List<RecordingRun> runs = new ArrayList<>();
+        Map<String, Path> named;
         try {
-            Map<String, Path> named = RecordingArguments.byName(RecordingArguments.expand(arguments),
-                nameWithExtension);
-            String reported = report ? typed() : null;
-            named.forEach((name, recording) ->
-                runs.add(new RecordingRun(recording, options, method, out, name, reported)));
+            named = RecordingArguments.byName(RecordingArguments.expand(arguments), nameWithExtension);
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw usage("[" + out + "] cannot be made a directory: " + FileFailure.text(e));
-        }
+        String reported = report ? typed() : null;
+        List<RecordingRun> runs = new ArrayList<>();
+        named.forEach((name, recording) ->
+            runs.add(new RecordingRun(recording, options, method, out, name, reported, force)));
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        List<Path> inputs = new ArrayList<>(named.values());
+        inputs.add(parameterOptions.config());
+        outputs.check(inputs, runs.stream().flatMap(run -> run.files().stream()).toList());
+        outputs.makeFolder(out);
         if (resume) {
-            runs.removeIf(this::isDone);
+            return toResume(runs);
         }
         if (!force) {
-            for (RecordingRun run : runs) {
-                if (resume && run.isBegun()) {
-                    continue;
-                }
-                for (Path existing : run.existing()) {
-                    throw usage("[" + existing + "] exists already; --force replaces it");
-                }
-            }
+            outputs.refuseExisting(runs.stream().flatMap(run -> run.files().stream()).toList());
         }
         return runs;
+    }
+
+    /** Those whose results are not there, or are not those of this run; which is said of each. */
+    private List<RecordingRun> toResume(List<RecordingRun> runs) {
+        PrintWriter err = spec.commandLine().getErr();
+        List<RecordingRun> rest = new ArrayList<>();
+        for (RecordingRun run : runs) {
+            String outdated = run.whyNotDone();
+            if (outdated == null) {
+                addDoubt(run, EarlierRun.of(RecordingRun.summaryFile(out, run.name())).doubtfulShare());
+                if (!quiet) {
+                    err.println(Printable.of(run.name() + ": results are complete, passed over"));
+                }
+            } else {
+                if (!run.existing().isEmpty() && !quiet) {
+                    err.println(Printable.of(run.name() + ": run again, because " + outdated));
+                }
+                rest.add(run.replacing());
+            }
+        }
+        return rest;
     }
 
     /** The command as a shell takes it. */
@@ -188,17 +201,6 @@ final class RunCommand implements Callable<Integer> {
         return spec.commandLine().getParent().getParseResult().originalArgs().stream()
             .map(each -> each.matches("[\\w./=:,+-]+") ? each : "'" + each.replace("'", "'\\''") + "'")
             .collect(Collectors.joining(" ", "./sofas ", ""));
-    }
-
-    private boolean isDone(RecordingRun run) {
-        boolean done = run.isDone();
-        if (done) {
-            addDoubt(run, EarlierRun.of(RecordingRun.summaryFile(out, run.name())).doubtfulShare());
-        }
-        if (done && !quiet) {
-            spec.commandLine().getErr().println(Printable.of(run.name() + ": results are complete, passed over"));
-        }
-        return done;
     }
 
     private ParameterException usage(String message) {
@@ -218,7 +220,20 @@ final class RunCommand implements Callable<Integer> {
         outcome.summary().recording().faults().forEach(progress::say);
         addDoubt(run, outcome.summary().recording().doubtfulShare());
         progress.finished(run.name(), outcome.summary());
-        return outcome.damage() == null;
+        if (outcome.reportFailure() != null) {
+            sayNoReport(run, outcome.reportFailure(), progress);
+        }
+        return outcome.damage() == null && outcome.reportFailure() == null;
+    }
+
+    private void sayNoReport(RecordingRun run, Exception failure, RunProgress progress) {
+        String place = "[" + run.recording().getFileName() + "] all results are there but the report, ";
+        if (failure instanceof IOException) {
+            progress.say(place + "which cannot be written: " + FileFailure.text((IOException) failure));
+        } else {
+            progress.clear();
+            sofas.printUnexpected(spec.commandLine().getErr(), place, failure);
+        }
     }
 
     private boolean succeeded(Started started, RunProgress progress) throws InterruptedException {

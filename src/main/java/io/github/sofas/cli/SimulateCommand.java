@@ -13,18 +13,20 @@ import io.github.sofas.simulate.Truth;
 import io.github.sofas.simulate.TruthCsv;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** Films a scene with a model of a sensor, and writes the recording with the truth of every event. */
@@ -47,6 +49,10 @@ final class SimulateCommand implements Callable<Integer> {
         Map.entry("jitterSdUs", "--jitter"), Map.entry("refractoryUs", "--refractory"),
         Map.entry("noiseHzPerPx", "--noise"), Map.entry("hotPixels", "--hot-pixels"),
         Map.entry("hotPixelHz", "--hot-pixel-rate"));
+
+    /** Options that only some scenes look at. */
+    private static final Map<String, Set<Scene>> ONLY_OF = Map.of("--turns", Set.of(Scene.SHORT_BAR, Scene.LONG_BAR),
+        "--turn-round", Set.of(Scene.FOUR_BARS), "--field-of-view", Set.of(Scene.PENDULUM));
 
     @Spec
     private CommandSpec spec;
@@ -162,13 +168,14 @@ final class SimulateCommand implements Callable<Integer> {
         String name = sceneName.replace(SEED_MARK, "-");
         Path recording = out.resolve(name + ".aedat");
         Path truth = out.resolve(name + ".truth.csv");
-        for (Path file : List.of(recording, truth)) {
-            if (!force && Files.exists(file)) {
-                throw usage("[" + file + "] exists already; --force replaces it");
-            }
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        outputs.check(List.of(), List.of(recording, truth));
+        if (!force) {
+            outputs.refuseExisting(List.of(recording, truth));
         }
+        refuseWithoutEffect(filmed);
+        outputs.makeFolder(out);
         try {
-            Files.createDirectories(out);
             long events = film(filmed, options, chip, recording, truth);
             if (!quiet) {
                 spec.commandLine().getErr().println(String.format(Locale.ROOT, "%s: %,d events in %.3f s on %s",
@@ -199,6 +206,23 @@ final class SimulateCommand implements Callable<Integer> {
             throw usage("only random takes a seed in its name but it was \"" + sceneName + "\"");
         }
         return known;
+    }
+
+    /** An option that changes nothing in the film was meant for another one. */
+    private void refuseWithoutEffect(Scene filmed) {
+        ParseResult typed = spec.commandLine().getParseResult();
+        for (Map.Entry<String, Set<Scene>> option : ONLY_OF.entrySet()) {
+            if (typed.hasMatchedOption(option.getKey()) && !option.getValue().contains(filmed)) {
+                throw usage(option.getKey() + " has no effect on " + filmed.sceneName() + ", only on "
+                    + option.getValue().stream().map(Scene::sceneName).sorted().collect(Collectors.joining(", ")));
+            }
+        }
+        if (typed.hasMatchedOption("--hot-pixel-rate") && sensor.hotPixels == 0) {
+            throw usage("--hot-pixel-rate has no effect without --hot-pixels");
+        }
+        if (filmed == Scene.PENDULUM && scene.fieldOfViewM > 0 && scene.speedPxPerS > 0) {
+            throw usage("--field-of-view has no effect with --speed");
+        }
     }
 
     private long seed() {
@@ -237,10 +261,10 @@ final class SimulateCommand implements Callable<Integer> {
         }
     }
 
-    private static long film(Scene filmed, SimulationOptions options, Chip chip, Path recording, Path truth)
+    private long film(Scene filmed, SimulationOptions options, Chip chip, Path recording, Path truth)
             throws IOException {
         long events = 0;
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(force)) {
             EventBatch batch = new EventBatch(BATCH);
             Truth known = new Truth(BATCH);
             try (SimulatedSource source = new SimulatedSource(filmed, options);

@@ -27,8 +27,8 @@ public final class EventCsvReader implements Closeable {
     private static final int BUFFER = 1 << 16;
     private static final int MOST_DIGITS = 18;
     private static final double[] POWERS = new double[MOST_DIGITS + 1];
-    /** Times up to here are exact as floating-point numbers; they are 285 years. */
-    private static final long MOST_US = 1L << 53;
+    /** Of 18 digits, 31,700 years: more than any recording holds. */
+    private static final long MOST_US = 999_999_999_999_999_999L;
 
     static {
         POWERS[0] = 1;

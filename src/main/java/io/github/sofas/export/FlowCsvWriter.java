@@ -123,6 +123,16 @@ public final class FlowCsvWriter implements AutoCloseable {
         buffer.put(texts, from, textLength[slot]);
     }
 
+    /**
+     * Writes what is still buffered: whole rows.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public void flush() throws IOException {
+        buffer.flush();
+        out.flush();
+    }
+
     /** Writes what is still buffered and closes the stream. */
     @Override
     public void close() throws IOException {

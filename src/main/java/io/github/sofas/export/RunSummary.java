@@ -74,9 +74,10 @@ public record RunSummary(String version, String request, RecordingSummary record
      * Writes a JSON document; leaves the stream open.
      *
      * @param out gets the text; left open
+     * @param fileBytes sizes of the other results of the run, by name
      * @throws IOException where it cannot be written
      */
-    public void write(OutputStream out) throws IOException {
+    public void write(OutputStream out, Map<String, Long> fileBytes) throws IOException {
         try (JsonGenerator json = Json.open(out)) {
             json.writeStartObject();
             json.writeStringField("version", version);
@@ -127,6 +128,11 @@ public record RunSummary(String version, String request, RecordingSummary record
             json.writeEndObject();
             Json.write(json, "events_per_second", eventsPerSecond(), 1);
             json.writeNumberField("peak_heap_bytes", peakHeapBytes);
+            json.writeObjectFieldStart("file_bytes");
+            for (Map.Entry<String, Long> file : fileBytes.entrySet()) {
+                json.writeNumberField(file.getKey(), file.getValue());
+            }
+            json.writeEndObject();
             json.writeEndObject();
         }
     }

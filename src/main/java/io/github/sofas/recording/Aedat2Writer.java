@@ -37,6 +37,7 @@ public final class Aedat2Writer implements Closeable {
     private final OutputStream out;
     private final Chip chip;
     private final byte[] buffer = new byte[RECORDS_BUFFERED * RECORD_BYTES_2];
+    private final int headerBytes;
     private long lastTimeUs = Long.MIN_VALUE;
     private long events;
 
@@ -62,6 +63,7 @@ public final class Aedat2Writer implements Closeable {
         this.chip = chip;
         out = new BufferedOutputStream(stream);
         String header = HEADER + CHIP_LINE + chip.className() + "\r\n" + END_LINE + "\r\n";
+        headerBytes = header.length();
         out.write(header.getBytes(StandardCharsets.US_ASCII));
     }
 
@@ -110,6 +112,24 @@ public final class Aedat2Writer implements Closeable {
             return rawX << DVS128_X_SHIFT | rawY << DVS128_Y_SHIFT | (polarity > 0 ? 0 : DVS128_OFF);
         }
         return rawX << DAVIS_X_SHIFT | rawY << DAVIS_Y_SHIFT | (polarity > 0 ? 1 : 0) << DAVIS_ON_SHIFT;
+    }
+
+    /**
+     * Writes what is buffered: whole records.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public void flush() throws IOException {
+        out.flush();
+    }
+
+    /**
+     * {@return how much of a file that could not be written on is whole}
+     *
+     * @param bytes that it has
+     */
+    public long wholeBytes(long bytes) {
+        return Math.max(headerBytes, bytes - (bytes - headerBytes) % RECORD_BYTES_2);
     }
 
     /** Writes what is buffered and closes the file. */

@@ -16,8 +16,8 @@ final class TimeOrder {
     static final long JUMP_US = 10_000;
     /** Steps back of more than this are of the clock, or damage. */
     static final long FAR_US = 1_000_000;
-    /** Beyond it (36,000 years) no clock is right, and sums of times do not fit into 64 bits. */
-    static final long MOST_US = 1L << 60;
+    /** Beyond it (31,700 years, 18 digits) no clock is right, and sums of times do not fit into 64 bits. */
+    static final long MOST_US = 999_999_999_999_999_999L;
 
     /** How many events are asked whether a jump is true. */
     private static final int WITNESSES = 8;

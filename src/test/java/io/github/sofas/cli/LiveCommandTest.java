@@ -108,7 +108,7 @@ public class LiveCommandTest {
         try (CameraSource source = new Cameras(camera).open(null)) {
             LiveStatus status = new LiveStatus(source, new PrintWriter(new StringWriter()), 80,
                 System::nanoTime);
-            return new LiveRun(source, method, out, "live", recording, status).run(() -> {
+            return new LiveRun(source, method, out, "live", recording, false, status).run(() -> {
                 source.start(Biases.defaults(source.model()));
                 // The camera sends while the run labels, never more than the queue holds.
                 new Thread(() -> send(camera, source, unplugged)).start();

@@ -47,7 +47,7 @@ public class ResultFilesTest {
 
     @Test
     public void writesNothingUnderTheFinalNameBeforeTheCommit() throws IOException {
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "1");
             write(files, second, "2");
             String end = "." + ProcessHandle.current().pid() + ".part";
@@ -62,7 +62,7 @@ public class ResultFilesTest {
 
     @Test
     public void deletesWhatWasNotCommitted() throws IOException {
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "1");
             // Not closed: an exception may come in the middle of a file.
             files.create(second).write('2');
@@ -73,7 +73,7 @@ public class ResultFilesTest {
     @Test
     public void keepsAnOlderFileUntilTheCommitReplacesIt() throws IOException {
         Files.writeString(first, "older, and longer");
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "new");
             assertEquals("older, and longer", Files.readString(first));
             files.commit();
@@ -85,7 +85,7 @@ public class ResultFilesTest {
     @Test
     public void keepsAnOlderFileWhereThereIsNoCommit() throws IOException {
         Files.writeString(first, "older");
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "new");
         }
         assertEquals("older", Files.readString(first));
@@ -96,7 +96,7 @@ public class ResultFilesTest {
     public void lastFileIsNotThereUntilAllOthersAreNew() throws IOException {
         Files.writeString(first, "older");
         Files.writeString(second, "older");
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "new");
             write(files, second, "new");
             // the commit stops where a file that it would rename is gone, as it would where the program is killed
@@ -116,22 +116,82 @@ public class ResultFilesTest {
         for (Path old : List.of(left, other)) {
             Files.setLastModifiedTime(old, FileTime.fromMillis(System.currentTimeMillis() - 120_000));
         }
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "new");
             files.commit();
         }
         assertEquals(List.of(fresh.getFileName().toString(), other.getFileName().toString(), "a.csv"), filesThere());
     }
 
+    /** A file of a capture whose program was killed. */
+    private Path caught(String name) throws IOException {
+        Path left = Files.writeString(folder.getRoot().toPath().resolve("." + name + ".999999999999.caught"), "half");
+        return Files.setLastModifiedTime(left, FileTime.fromMillis(System.currentTimeMillis() - 120_000));
+    }
+
     @Test
-    public void keepsWhatAKilledProgramLeftOfARecording() throws IOException {
-        Path left = Files.writeString(folder.getRoot().toPath().resolve(".live.aedat.999999999999.part"), "half");
-        Files.setLastModifiedTime(left, FileTime.fromMillis(System.currentTimeMillis() - 120_000));
-        try (ResultFiles files = new ResultFiles()) {
-            write(files, folder.getRoot().toPath().resolve("live.aedat"), "new");
+    public void keepsWhatAKilledProgramCaughtAndFindsIt() throws IOException {
+        Path left = caught("live.aedat");
+        try (ResultFiles files = ResultFiles.ofCapture(true)) {
+            Path live = folder.getRoot().toPath().resolve("live.aedat");
+            write(files, live, "new");
+            assertEquals("but not what is being written", List.of(left),
+                ResultFiles.leftBehind(folder.getRoot().toPath()));
             files.commit();
         }
         assertEquals(List.of(left.getFileName().toString(), "live.aedat"), filesThere());
+    }
+
+    @Test
+    public void captureIsKeptWhereItCannotBeCommittedOnceSomethingWasCaught() throws IOException {
+        try (ResultFiles files = ResultFiles.ofCapture(false)) {
+            write(files, first, "1");
+        }
+        assertEquals("nothing was caught", List.of(), filesThere());
+        try (ResultFiles files = ResultFiles.ofCapture(false)) {
+            write(files, first, "1");
+            files.keepAll();
+        }
+        assertEquals(List.of(".a.csv." + ProcessHandle.current().pid() + ".caught"), filesThere());
+    }
+
+    @Test
+    public void whatAnotherProgramMadeMeanwhileIsNotReplaced() throws IOException {
+        try (ResultFiles files = new ResultFiles(false)) {
+            write(files, first, "mine");
+            write(files, second, "mine");
+            Files.writeString(second, "the other's");
+            FileSystemException late = assertThrows(FileSystemException.class, files::commit);
+            assertTrue(late.getMessage(), late.getMessage().matches("\\Q" + second + "\\E: another program made it at "
+                + "\\d\\d:\\d\\d:\\d\\d and was first; --force replaces it"));
+        }
+        assertEquals(List.of("b.json"), filesThere());
+        assertEquals("the other's", Files.readString(second));
+        Files.createSymbolicLink(first, folder.getRoot().toPath().resolve("nowhere"));
+        try (ResultFiles files = new ResultFiles(false)) {
+            write(files, first, "mine");
+            assertThrows("a link that leads nowhere is there too", FileSystemException.class, files::commit);
+        }
+    }
+
+    @Test
+    public void ofTwoProgramsThatMakeOneFileTheSecondIsRefusedAtItsStart() throws Exception {
+        Process other = new ProcessBuilder("sleep", "60").start();
+        try {
+            Files.writeString(folder.getRoot().toPath().resolve(".a.csv." + other.pid() + ".part"), "half");
+            try (ResultFiles files = new ResultFiles(false)) {
+                FileSystemException refused = assertThrows(FileSystemException.class, () -> files.create(first));
+                assertEquals(first + ": is being written by process " + other.pid()
+                    + ", which was first; --force writes it too", refused.getMessage());
+            }
+            try (ResultFiles files = new ResultFiles(true)) {
+                write(files, first, "forced");
+                files.commit();
+            }
+        } finally {
+            other.destroyForcibly().waitFor();
+        }
+        assertEquals("forced", Files.readString(first));
     }
 
     @Test
@@ -143,7 +203,7 @@ public class ResultFilesTest {
         Files.writeString(first, "older");
         String temporary = ".a.csv." + ProcessHandle.current().pid() + ".part";
         Files.createSymbolicLink(folder.getRoot().toPath().resolve(temporary), full);
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             IOException refused = assertThrows(IOException.class, () -> write(files, first, "new"));
             assertEquals("No space left on device", refused.getMessage());
         }
@@ -154,7 +214,7 @@ public class ResultFilesTest {
     @Test
     public void refusesAFileWhoseNameADirectoryHas() throws IOException {
         Files.createDirectory(second);
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             write(files, first, "1");
             FileSystemException refused = assertThrows(FileSystemException.class, () -> files.create(second));
             assertEquals(second + ": is a directory", refused.getMessage());
@@ -166,7 +226,7 @@ public class ResultFilesTest {
     @Test
     public void refusesAFileInAFolderThatIsNotThere() {
         Path nowhere = folder.getRoot().toPath().resolve("nowhere").resolve("a.csv");
-        try (ResultFiles files = new ResultFiles()) {
+        try (ResultFiles files = new ResultFiles(true)) {
             assertThrows(NoSuchFileException.class, () -> files.create(nowhere));
         }
         assertEquals(List.of(), filesThere());
@@ -174,7 +234,7 @@ public class ResultFilesTest {
 
     @Test
     public void startsAndCommitsNothingAfterItsEnd() throws IOException {
-        ResultFiles files = new ResultFiles();
+        ResultFiles files = new ResultFiles(true);
         write(files, first, "1");
         files.close();
         assertEquals("the program is ending",
