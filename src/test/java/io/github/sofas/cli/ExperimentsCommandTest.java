@@ -125,7 +125,7 @@ public class ExperimentsCommandTest {
     public void saysWhereResultsCannotBeWritten() throws IOException {
         Files.writeString(out, "a file");
         Executed executed = Executed.command("experiments", "--out", out.toString());
-        assertEquals(1, executed.exitCode);
-        assertTrue(executed.err, executed.err.startsWith("[" + out + "] cannot be written: "));
+        assertEquals(2, executed.exitCode);
+        assertTrue(executed.err, executed.err.startsWith("[" + out + "] cannot be made a directory: "));
     }
 }

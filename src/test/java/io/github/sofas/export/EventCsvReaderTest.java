@@ -50,15 +50,15 @@ public class EventCsvReaderTest {
     }
 
     @Test
-    public void timesReachAsFarAsTheyAreExact() throws Exception {
-        try (EventCsvReader rows = rows("9007199254740992,0,0,1,,,0\n-9007199254740992,0,0,1,,,0\n"
-                + "9007199254740993,0,0,1,,,0\n")) {
-            assertTrue(rows.next());
-            assertEquals(1L << 53, rows.timeUs());
-            assertTrue(rows.next());
-            assertEquals(-(1L << 53), rows.timeUs());
-            assertEquals("[a.csv] line 4: t_us must be a whole number from -9007199254740992 to 9007199254740992 but "
-                + "was \"9007199254740993\"", assertThrows(EventSourceException.class, rows::next).getMessage());
+    public void timesOfAllRecordingsAreReadExactly() throws Exception {
+        try (EventCsvReader rows = rows("999999999999999999,0,0,1,,,0\n-999999999999999999,0,0,1,,,0\n"
+                + "9007199254740993,0,0,1,,,0\n1000000000000000000,0,0,1,,,0\n")) {
+            for (long timeUs : new long[] {999_999_999_999_999_999L, -999_999_999_999_999_999L, (1L << 53) + 1}) {
+                assertTrue(rows.next());
+                assertEquals(timeUs, rows.timeUs());
+            }
+            assertEquals("[a.csv] line 5: t_us must be a whole number from -999999999999999999 to 999999999999999999 "
+                + "but was \"1000000000000000000\"", assertThrows(EventSourceException.class, rows::next).getMessage());
         }
     }
 
