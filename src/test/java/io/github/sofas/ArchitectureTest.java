@@ -31,7 +31,7 @@ public class ArchitectureTest {
         Map.entry("host", Set.of("event", "flow")),
         Map.entry("export", Set.of("event", "flow")),
         Map.entry("render", Set.of("event", "flow")),
-        Map.entry("report", Set.of("event", "flow", "export", "render")),
+        Map.entry("report", Set.of("event", "flow", "export", "render", "evaluate")),
         Map.entry("baseline", Set.of("event", "flow")),
         Map.entry("simulate", Set.of("event")),
         Map.entry("evaluate", Set.of("event", "flow", "recording", "export", "baseline", "simulate")),

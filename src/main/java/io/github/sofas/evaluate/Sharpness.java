@@ -114,8 +114,10 @@ public record Sharpness(List<SharpnessWindow> windows) {
         private final SingleTranslation translation;
         private final KnownTranslations known;
         private final String recording;
+        private final boolean searches;
         private final MovedEvents window = new MovedEvents();
         private final List<SharpnessWindow> windows = new ArrayList<>();
+        private WindowPictures fullest;
 
         /**
          * Makes one for a sensor.
@@ -134,11 +136,26 @@ public record Sharpness(List<SharpnessWindow> windows) {
          * @param recording what the recording is called among them
          */
         public Gatherer(SensorSize sensor, KnownTranslations known, String recording) {
+            this(sensor, known, recording, true);
+        }
+
+        private Gatherer(SensorSize sensor, KnownTranslations known, String recording, boolean searches) {
+            this.searches = searches;
             this.known = known;
             this.recording = recording;
             eventsOfFullWindow = (int) Math.ceil(EVENTS_PER_PX * sensor.width() * sensor.height());
             picture = new EventPicture(sensor);
             translation = new SingleTranslation(sensor);
+        }
+
+        /**
+         * Makes one that looks for no single translation, which takes most of the time: all that it says is rest.
+         *
+         * @param sensor size of the pixel array
+         * @return one that is empty
+         */
+        public static Gatherer withoutTranslation(SensorSize sensor) {
+            return new Gatherer(sensor, null, "", false);
         }
 
         /**
@@ -162,11 +179,21 @@ public record Sharpness(List<SharpnessWindow> windows) {
         private void endWindow() {
             window.drawAsTheyAre(picture);
             double variance = picture.variance();
+            boolean fuller = fullest == null || window.withFlow() > fullest.window().eventsWithFlow();
+            float[] before = fuller ? picture.counts().clone() : null;
             window.drawMoved(picture);
             double movedVariance = picture.variance();
-            known.take(recording, window, translation);
-            windows.add(new SharpnessWindow(window.firstUs(), window.lastUs(), window.size(), window.withFlow(),
-                variance, movedVariance, translation.variance(), translation.vxPxPerS(), translation.vyPxPerS()));
+            SharpnessWindow ended = new SharpnessWindow(window.firstUs(), window.lastUs(), window.size(),
+                window.withFlow(), variance, movedVariance, variance, 0, 0);
+            if (fuller) {
+                fullest = new WindowPictures(ended, before, picture.counts().clone());
+            }
+            if (searches) {
+                known.take(recording, window, translation);
+                ended = new SharpnessWindow(window.firstUs(), window.lastUs(), window.size(), window.withFlow(),
+                    variance, movedVariance, translation.variance(), translation.vxPxPerS(), translation.vyPxPerS());
+            }
+            windows.add(ended);
             window.clear();
         }
 
@@ -180,6 +207,15 @@ public record Sharpness(List<SharpnessWindow> windows) {
                 endWindow();
             }
             return new Sharpness(windows);
+        }
+
+        /**
+         * Gives the window that has the most events with flow, as pictures.
+         *
+         * @return the first of equals; null before the first window has ended
+         */
+        public WindowPictures fullest() {
+            return fullest;
         }
     }
 }

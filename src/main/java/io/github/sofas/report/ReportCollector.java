@@ -1,5 +1,6 @@
 package io.github.sofas.report;
 
+import io.github.sofas.evaluate.Sharpness;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.event.SensorSize;
@@ -33,6 +34,7 @@ public final class ReportCollector {
     private final Highlights highlights = new Highlights();
     private final Map<Integer, SegmentCurve> curves = new HashMap<>();
     private final long[] directions = new long[DIRECTIONS];
+    private final Sharpness.Gatherer sharpness;
 
     private boolean begun;
     private long firstUs;
@@ -44,6 +46,7 @@ public final class ReportCollector {
      */
     public ReportCollector(SensorSize sensor) {
         this.sensor = sensor;
+        sharpness = Sharpness.Gatherer.withoutTranslation(sensor);
     }
 
     /**
@@ -57,6 +60,7 @@ public final class ReportCollector {
             begun = true;
             firstUs = batch.timeUs[0];
         }
+        sharpness.add(batch, flow);
         for (int i = 0; i < batch.size(); i++) {
             long sinceUs = batch.timeUs[i] - firstUs;
             boolean hasFlow = flow.segment[i] != 0;
@@ -132,7 +136,9 @@ public final class ReportCollector {
                     thumbnails = new HighlightPainter(sheet, highlights, firstUs).paint(events, clip);
                 }
             }
-            new ReportPage(summary, command, bins, longest, directions, highlights, thumbnails, clip).write(out);
+            Sharpness measured = sharpness.sharpness();
+            new ReportPage(summary, command, bins, longest, directions, highlights, thumbnails,
+                SharpnessPart.of(sensor, measured, sharpness.fullest(), firstUs), clip).write(out);
         } catch (EventSourceException e) {
             throw new IOException(e.getMessage(), e);
         } finally {

@@ -66,11 +66,13 @@ final class ReportPage {
     private final long[] directions;
     private final Highlights highlights;
     private final List<HighlightPainter.Thumbnail> thumbnails;
+    private final List<DomContent> sharpness;
     private final Path clip;
     private final double durationS;
 
     ReportPage(RunSummary summary, String command, TimeBins bins, List<SegmentCurve> curves, long[] directions,
-               Highlights highlights, List<HighlightPainter.Thumbnail> thumbnails, Path clip) {
+               Highlights highlights, List<HighlightPainter.Thumbnail> thumbnails, List<DomContent> sharpness,
+               Path clip) {
         this.summary = summary;
         this.command = command;
         this.bins = bins;
@@ -78,6 +80,7 @@ final class ReportPage {
         this.directions = directions;
         this.highlights = highlights;
         this.thumbnails = thumbnails;
+        this.sharpness = sharpness;
         this.clip = clip;
         durationS = Math.max(bins.widthS(), bins.used() * bins.widthS());
     }
@@ -113,6 +116,7 @@ final class ReportPage {
             parts.addAll(clip());
             parts.addAll(busiest());
         }
+        parts.addAll(sharpness);
         parts.addAll(overTime());
         parts.addAll(segments());
         parts.addAll(where());
@@ -150,11 +154,14 @@ final class ReportPage {
             value(String.format(Locale.ROOT, "%.3f s", summary.recording().durationS()), "of recording"),
             value(String.format(Locale.ROOT, "%,.0f", summary.recording().eventsPerS()), "events a second"),
             value(String.format(Locale.ROOT, "%.1f %%", 100 * summary.shareWithFlow()), "of the events have flow"),
-            value(Integer.toString(summary.segments().size()), "segments: " + summary.count(Segment.Fate.ALIVE)
-                + " alive at the end, " + summary.count(Segment.Fate.MERGED) + " merged, "
-                + summary.count(Segment.Fate.REMOVED) + " removed"),
+            value(Long.toString(summary.countLarge()), "segments of 1 % of the events with flow or more; in all "
+                + summary.count(Segment.Fate.ALIVE) + " alive at the end, " + summary.count(Segment.Fate.MERGED)
+                + " merged, " + summary.count(Segment.Fate.REMOVED) + " removed"),
             value(summary.recording().sensor().toString(), (summary.recording().chip() + " sensor, "
                 + summary.recording().format()).strip())).withClass("figures"));
+        if (!summary.withoutFlow().isEmpty()) {
+            parts.add(p("Most events found no flow: " + summary.withoutFlow() + ".").withClass("bad"));
+        }
         if (!summary.recording().complete()) {
             parts.add(p("The recording is damaged: the page shows what came before.").withClass("bad"));
         }

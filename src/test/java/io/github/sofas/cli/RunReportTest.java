@@ -48,12 +48,20 @@ public class RunReportTest {
     @Test
     public void pageHasAllItsPartsWithoutAScript() throws IOException {
         String page = report(Path.of("recordings/short-bar.aedat")).replaceFirst("(?s)<script>.*</script>", "");
-        assertEquals(List.of("What moves", "Busiest moments", "Over time", "Segments", "Where it moves",
-            "How to make this again"), all("<h2>([^<]*)</h2>", page));
+        assertEquals(List.of("What moves", "Busiest moments", "How sharp it is", "Over time", "Segments",
+            "Where it moves", "How to make this again"), all("<h2>([^<]*)</h2>", page));
         assertTrue(page.contains("<h3>Life lines</h3>"));
         assertEquals("rate, share, speed, direction, life lines", 5, all("(<svg class=\"plot)", page).size());
         assertEquals(1, all("(<svg class=\"polar\")", page).size());
         assertTrue(page.contains("<td>--lifetime-px</td>"));
+    }
+
+    @Test
+    public void pageSaysHowMuchSharperTheFlowMakesThePicture() throws IOException {
+        String page = report(Path.of("recordings/hexagon.aedat"));
+        int percent = Integer.parseInt(all("<p>This flow makes the picture (\\d+) % sharper\\.</p>", page).get(0));
+        assertTrue("hexagon of 65 px at 58 px/s: " + percent, percent > 50);
+        assertEquals(List.of("before", "after"), all("alt=\"the events (before|after)\"", page));
     }
 
     /** short-bar.aedat is of 0.749986 s: 22 times 33,333 µs and a rest. */

@@ -203,6 +203,22 @@ public class SharpnessTest {
     }
 
     @Test
+    public void keepsPicturesOfTheWindowWithTheMostFlow() {
+        add(0, 5, 5, 0, 0, 0);
+        add(400_000, 10, 16, 40, 0, 1);
+        add(500_000, 14, 16, 40, 0, 1);
+        add(900_000, 20, 20, 0, 0, 1);
+        Sharpness.Gatherer gatherer = Sharpness.Gatherer.withoutTranslation(SENSOR);
+        gatherer.add(batch, flow);
+        Sharpness sharpness = gatherer.sharpness();
+        assertEquals(400_000, gatherer.fullest().window().fromUs());
+        assertEquals(1, gatherer.fullest().before()[16 * 32 + 10], 0);
+        assertEquals("both at x = 12", 2, gatherer.fullest().after()[16 * 32 + 12], 0);
+        assertFalse("nothing was searched", sharpness.hasGain());
+        assertEquals(sharpness().sharpness(), sharpness.sharpness(), 0);
+    }
+
+    @Test
     public void noEventsAreAsSharpAsTheyAre() {
         assertEquals(1, sharpness().sharpness(), 0);
         assertEquals(0, sharpness().windows().size());
