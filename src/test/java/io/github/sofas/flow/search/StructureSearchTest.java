@@ -1,6 +1,7 @@
 package io.github.sofas.flow.search;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PlainPlane.Event;
@@ -90,5 +91,65 @@ public class StructureSearchTest {
     @Test
     public void newStructureGetsNoEventThatAnotherHas() {
         assertEquals(left(true, 0) + 10, left(true, 10));
+    }
+
+    /** A search in a flow plane that holds an edge which is to be found. */
+    private static final class Budget {
+        private final MetricFit fit = new MetricFit(SENSOR.width(), SENSOR.height(), MetricFit.CELL_PX, 4096, 300);
+        private final AllStructures structures = new AllStructures();
+        private final StructureSearch search;
+
+        Budget() {
+            FlowPlane plane = new FlowPlane(SENSOR.width(), SENSOR.height(), P.search());
+            for (Event e : Streams.edge(4, 9, ROWS, 0, 10_000)) {
+                plane.add(e.x(), e.y(), e.timeUs(), e.polarity());
+            }
+            plane.settle(81_000);
+            search = new StructureSearch(plane, P.search(), fit, structures);
+        }
+
+        /** Events until the edge is found, of each of which measurements gave so many votes. */
+        private int eventsUntilFound(long measuringVotes) {
+            int events = 0;
+            while (structures.begun == 0) {
+                search.run(measuringVotes);
+                events++;
+                assertTrue("never found", events < 10_000);
+            }
+            return events;
+        }
+    }
+
+    @Test
+    public void eachEventEarnsAHundredAndTwentyVotes() {
+        Budget budget = new Budget();
+        // the dearest step: nine metrics of the edge's 270 events, each on two grids
+        long mostAtOnce = 9 * 2 * 9 * ROWS;
+        for (int i = 1; budget.structures.begun == 0; i++) {
+            budget.search.run(0);
+            assertTrue("votes after " + i + " events: " + budget.fit.votes(),
+                budget.fit.votes() <= 120L * i + mostAtOnce);
+        }
+    }
+
+    @Test
+    public void measurementsLeaveAThirdToTheSearchAtLeast() {
+        int alone = new Budget().eventsUntilFound(0);
+        int beside = new Budget().eventsUntilFound(80);
+        int starved = new Budget().eventsUntilFound(1_000_000);
+        // 120 - 80 votes per event are left, and no fewer however many are owed
+        assertEquals(3.0, (double) beside / alone, 0.1);
+        assertEquals(beside, starved);
+    }
+
+    @Test
+    public void debtsArePaidByTheEventsThatFollow() {
+        Budget budget = new Budget();
+        // of 4,000 votes owed, 80 are paid with each of 50 events; then all 120 are the search's
+        budget.search.run(4_000);
+        int events = 1 + budget.eventsUntilFound(0);
+        int alone = new Budget().eventsUntilFound(0);
+        assertTrue("more than 50 events: " + alone, alone > 50);
+        assertEquals(alone + 4_000 / 120.0, events, 2);
     }
 }
