@@ -30,8 +30,8 @@ import picocli.CommandLine.Spec;
 /** Measures how fast recordings are decoded, labelled and written. */
 @Command(name = "bench", sortOptions = false,
     customSynopsis = "sofas bench [OPTION]... [RECORDING]...",
-    description = {"Measure how fast recordings are decoded, labelled and written, in one thread.",
-        "Without a recording, simulated scenes are measured, which are the same on every machine."},
+    description = {"Measure the speed of decoding, labelling and writing, in one thread.",
+        "Without a recording, simulated scenes are measured; they are the same on every machine."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:everything was measured", "1:a recording failed; the others were measured", "2:wrong usage"})
 final class BenchCommand implements Callable<Integer> {
@@ -42,7 +42,7 @@ final class BenchCommand implements Callable<Integer> {
         description = "Recordings, directories of recordings, or quoted patterns such as 'day*/*.aedat4'.")
     private List<String> arguments = List.of();
 
-    @Option(names = "--json", description = "Write one JSON object: the machine, and an array of recordings.")
+    @Option(names = "--json", description = "Write one JSON object: the machine and an array of recordings.")
     private boolean asJson;
 
     @Option(names = "--runs", paramLabel = "N", defaultValue = "5",
@@ -50,21 +50,20 @@ final class BenchCommand implements Callable<Integer> {
     private int runs;
 
     @Option(names = "--warm-up", paramLabel = "N", defaultValue = "3",
-        description = "Runs of each part before those counted, at least 1; default: ${DEFAULT-VALUE}.")
+        description = "Warm-up runs of each part, at least 1; default: ${DEFAULT-VALUE}.")
     private int warmUps;
 
     @Option(names = "--warm-up-ms", paramLabel = "MS", defaultValue = "1000",
-        description = "How long each part runs at least before the runs counted; default: ${DEFAULT-VALUE}.")
+        description = "Least duration of the warm-up of each part; default: ${DEFAULT-VALUE}.")
     private int warmUpMs;
 
     @Option(names = "--events", paramLabel = "N", defaultValue = "10000000",
-        description = "Use no more than the first N events of a recording, which are kept in memory at 30 bytes each; "
-            + "default: ${DEFAULT-VALUE}.")
+        description = "Use at most the first N events of a recording; they are held in memory, 30 bytes each; "
+        + "default: ${DEFAULT-VALUE}.")
     private int mostEvents;
 
     @Option(names = "--sample-ms", paramLabel = "MS", defaultValue = "3000",
-        description = "How long the stages of whole runs are sampled for the shares of time; default: "
-            + "${DEFAULT-VALUE}.")
+        description = "Duration of the sampling that gives each stage's share of the time; default: ${DEFAULT-VALUE}.")
     private int sampledMs;
 
     @Mixin

@@ -42,9 +42,9 @@ import picocli.CommandLine.Spec;
 /** Runs jAER's own motion-flow filters and ours inside jAER, and says how right they are or how far they agree. */
 @Command(name = "compare", sortOptions = false, customSynopsis = "sofas compare [OPTION]... --jaer DIR RECORDING",
     description = {"Compare SOFAS with jAER's LucasKanadeFlow and LocalPlanesFlow, inside jAER.",
-        "The three filters get the same packets, each in a jAER of its own with jAER's default settings, its measuring "
-        + "of accuracy off. With --truth: how right each is, as evaluate says. Without: how far each pair agrees. "
-        + "jAER needs a display; where there is none, Xvfb is used."},
+        "The three filters get the same packets, each in its own jAER with default settings, except that measuring of "
+        + "accuracy is off. With --truth: the accuracy of each, as 'evaluate' gives it. Without: the agreement of "
+        + "each pair. jAER needs a display; if there is none, Xvfb is used."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:compared", "1:the recording is damaged, or jAER or the truth cannot be used", "2:wrong usage"})
 final class CompareCommand implements Callable<Integer> {
@@ -62,14 +62,16 @@ final class CompareCommand implements Callable<Integer> {
     @Option(names = "--jaer", paramLabel = "DIR", required = true, description = "Folder of a jAER, 2.1 to 3.3.")
     private Path jaer;
 
-    @Option(names = "--truth", paramLabel = "FILE", description = "Truth of its events, as of evaluate.")
+    @Option(names = "--truth", paramLabel = "FILE", description = "CSV file with the truth of its events (see "
+        + "'evaluate').")
     private Path truth;
 
     @Option(names = "--java", paramLabel = "FILE",
-        description = "Java program to run a jAER with that brings none; default: the one that runs this.")
+        description = "Java program for a jAER that includes none; default: the one that runs this program.")
     private Path java = Path.of(System.getProperty("java.home"), "bin", "java");
 
-    @Option(names = "--plugin", paramLabel = "JAR", description = "sofas-jAER.jar; default: the one built with this.")
+    @Option(names = "--plugin", paramLabel = "JAR", description = "The file sofas-jAER.jar; default: the one that "
+        + "belongs to this program.")
     private Path plugin;
 
     @Mixin

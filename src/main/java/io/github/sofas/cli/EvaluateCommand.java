@@ -30,12 +30,12 @@ import picocli.CommandLine.Spec;
 /** Holds a method's flow and segments against the truth of every event, or measures how sharp the flow is. */
 @Command(name = "evaluate", sortOptions = false,
     customSynopsis = "sofas evaluate [OPTION]... [--truth FILE] RECORDING",
-    description = {"Say how right flow and segments of a recording are, against the truth of every event.",
-        "The truth is a CSV file with the columns " + TruthCsvReader.HEADER + ", one line for each event of the "
-        + "recording; object 0 is noise. Figures are printed; --json and --csv write them for programs.",
-        "Without a truth, say how sharp the flow makes the picture: variance of the events moved along their flow "
-        + "over that of the events as they are, beside the best single translation of each window. A gain of 1 is as "
-        + "good as that; below 0 the flow blurs."},
+    description = {"Compare flow and segments of a recording with the truth of each event.",
+        "The truth is a CSV file with the columns " + TruthCsvReader.HEADER + ", one line per event of the recording; "
+        + "object 0 is noise. The figures are printed; --json and --csv write them to files.",
+        "Without a truth, measure how much sharper the flow makes the picture: variance of the events moved along "
+        + "their flow over variance of the events as they are, compared with the best single translation of each "
+        + "window. A gain of 1 is as good as that translation; below 0 the flow blurs the picture."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:evaluated", "1:the recording is damaged, or it or its truth cannot be used", "2:wrong usage"})
 final class EvaluateCommand implements Callable<Integer> {
@@ -46,12 +46,12 @@ final class EvaluateCommand implements Callable<Integer> {
     private String argument;
 
     @Option(names = "--truth", paramLabel = "FILE",
-        description = "Truth of its events; without it sharpness is measured.")
+        description = "CSV file with the truth of its events; without it, sharpness is measured.")
     private Path truth;
 
     @Option(names = "--skip-first-share", paramLabel = "SHARE",
-        description = "With --truth: share of the recording's time, at its beginning, that does not count; 0 to below "
-            + "1; default: " + EvaluationOptions.DEFAULT_SKIP_FIRST_SHARE + ".")
+        description = "With --truth: share of the recording's time that is left out at its beginning, 0 to below 1; "
+        + "default: " + EvaluationOptions.DEFAULT_SKIP_FIRST_SHARE + ".")
     private Double skipFirstShare;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the figures as JSON.")
@@ -61,7 +61,7 @@ final class EvaluateCommand implements Callable<Integer> {
         description = "Write the figures as CSV: " + EvaluationReport.CSV_HEADER + ".")
     private Path csv;
 
-    @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
+    @Option(names = {"-f", "--force"}, description = "Replace existing results; otherwise they are an error.")
     private boolean force;
 
     @Mixin
@@ -130,7 +130,7 @@ final class EvaluateCommand implements Callable<Integer> {
             return EvaluationOptions.defaults();
         }
         if (truth == null) {
-            throw usage("--skip-first-share goes with --truth: sharpness counts the whole recording");
+            throw usage("--skip-first-share needs --truth: sharpness counts the whole recording");
         }
         try {
             return EvaluationOptions.defaults().withSkipFirstShare(skipFirstShare);

@@ -29,11 +29,11 @@ import picocli.CommandLine.Spec;
         "       sofas experiments [--random N] [--scenes] [--recordings DIR] [OPTION]...",
         "       sofas experiments --ablation [--random N] [--recordings DIR] [OPTION]..."},
     description = {"Run the paper's experiments on simulated scenes: both presets, Lucas-Kanade and local planes.",
-        "Writes experiments.html, which needs no network, method.png, figures.csv, goals.csv, histograms.csv, "
-        + "curves.csv and metric-maps.csv. It takes a few minutes.",
-        "Without --out, prints tables of one method, a line a scene or recording: IoU, parts an object, relative "
-        + "endpoint error, events with flow, events faster than twice the fastest true one, noise with flow; and of "
-        + "recordings sharpness, that of the best single translation, gain, segments that hold 1 %% of the flow."},
+        "Writes experiments.html (self-contained), method.png, figures.csv, goals.csv, histograms.csv, curves.csv and "
+        + "metric-maps.csv. Takes a few minutes.",
+        "Without --out, prints tables of one method, one line per scene or recording. Scenes: IoU, parts per object, "
+        + "relative endpoint error, events with flow, events faster than twice the fastest true one, noise with flow. "
+        + "Recordings: sharpness, sharpness of the best single translation, gain, segments with 1 %% of the flow."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:written", "1:a recording cannot be read (the rest is written), or the files cannot be written",
         "2:wrong usage; nothing was run"})
@@ -44,17 +44,18 @@ final class ExperimentsCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Option(names = {"-o", "--out"}, paramLabel = "DIR",
-        description = "Where the files go; made if it does not exist.")
+        description = "Output folder; created if it does not exist.")
     private Path out;
 
-    @Option(names = "--random", paramLabel = "N", description = "Table of N random scenes, of consecutive seeds.")
+    @Option(names = "--random", paramLabel = "N", description = "Print a table of N random scenes with consecutive "
+        + "seeds.")
     private Integer random;
 
     @Option(names = "--from-seed", paramLabel = "SEED", defaultValue = "1",
         description = "Seed of the first random scene; default: ${DEFAULT-VALUE}.")
     private long fromSeed;
 
-    @Option(names = "--scenes", description = "Table of textured scenes and those of the experiments.")
+    @Option(names = "--scenes", description = "Print a table of the textured scenes and those of the experiments.")
     private boolean scenes;
 
     @Option(names = "--ablation",
@@ -63,20 +64,20 @@ final class ExperimentsCommand implements Callable<Integer> {
     private boolean ablation;
 
     @Option(names = "--recordings", paramLabel = "DIR",
-        description = "Folder of the recordings of real cameras that something is known of; without it they are left "
-            + "out. For a table, any folder of recordings.")
+        description = "Folder of the real recordings for which some truth is known; without it they are left out. For "
+        + "a table: any folder of recordings.")
     private Path recordings;
 
     @Option(names = "--translations", paramLabel = "FILE",
-        description = "Where the best single translations of the recordings' windows are kept, for finding them takes "
-            + "most of the time; made or extended.")
+        description = "File that keeps the best single translations of the recordings' windows, whose search takes "
+        + "most of the time; created or extended.")
     private Path translations;
 
     @Option(names = {"-j", "--jobs"}, paramLabel = "N",
-        description = "How many run at a time; default: one a processor.")
+        description = "Number of runs at a time; default: one per processor.")
     private int jobs = Runtime.getRuntime().availableProcessors();
 
-    @Option(names = {"-f", "--force"}, description = "Replace files that exist; without it they are an error.")
+    @Option(names = {"-f", "--force"}, description = "Replace existing files; otherwise they are an error.")
     private boolean force;
 
     @Option(names = {"-q", "--quiet"}, description = "Print no progress.")
@@ -164,7 +165,7 @@ final class ExperimentsCommand implements Callable<Integer> {
     private List<String> ablation(MethodChoice method, KnownTranslations known, PrintWriter to)
             throws IOException, InterruptedException {
         if (!method.preset().equals("default")) {
-            throw usage("--ablation is of --method sofas with --preset default");
+            throw usage("--ablation needs --method sofas and --preset default");
         }
         Ablation table = new Ablation(parameterOptions.parameters(), jobs);
         table.random(fromSeed, random == null ? ABLATION_SCENES : random);

@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
 
 /** Says what is in recordings. */
 @Command(name = "info", sortOptions = false,
-    description = "Say what is in recordings: format, sensor, events by type, times, faults.",
+    description = "Show the contents of recordings: format, sensor, events by type, times, faults.",
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:every recording was read to its end", "1:a recording is damaged, doubtful or cannot be read",
         "2:wrong usage"})
@@ -45,7 +45,7 @@ final class InfoCommand implements Callable<Integer> {
         description = "Recordings, directories of recordings, or quoted patterns such as 'day*/*.aedat4'.")
     private List<String> arguments;
 
-    @Option(names = "--json", description = "Write one JSON array with an object for each recording.")
+    @Option(names = "--json", description = "Write a JSON array with one object per recording.")
     private boolean asJson;
 
     @Mixin

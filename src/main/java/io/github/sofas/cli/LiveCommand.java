@@ -39,11 +39,12 @@ import picocli.CommandLine.Spec;
     customSynopsis = {"sofas live --out DIR [OPTION]...",
         "       sofas live --out DIR --udp PORT --chip CHIP [OPTION]...",
         "       sofas live --list"},
-    description = {"Give flow and segment to the events of a camera as they happen.",
-        "Takes a DAVIS240C, DAVIS346 or DVS128 on the USB, or what jAER sends by AEUnicast. Runs until Ctrl-C or for "
-        + "--duration, and writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json as run does."},
+    description = {"Label the events of a camera with flow and segment as they happen.",
+        "Reads a DAVIS240C, DAVIS346 or DVS128 on USB, or jAER's AEUnicast stream. Runs until Ctrl-C or for "
+        + "--duration, and writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json, as 'run' does."},
     exitCodeListHeading = "%nExit codes:%n",
-    exitCodeList = {"0:stopped by Ctrl-C or --duration", "1:no camera, or it failed; results hold all events before",
+    exitCodeList = {"0:stopped by Ctrl-C or --duration", "1:no camera, or the camera failed; the results hold all "
+    + "events up to then",
         "2:wrong usage; nothing was run"})
 final class LiveCommand implements Callable<Integer> {
     private static final int MAX_PORT = 65_535;
@@ -55,41 +56,41 @@ final class LiveCommand implements Callable<Integer> {
     private boolean list;
 
     @Option(names = {"-o", "--out"}, paramLabel = "DIR",
-        description = "Where the results go; made where it does not exist.")
+        description = "Output folder; created if it does not exist.")
     private Path out;
 
     @Option(names = "--name", paramLabel = "NAME", defaultValue = "live",
-        description = "What the results are called; default: ${DEFAULT-VALUE}.")
+        description = "NAME of the results; default: ${DEFAULT-VALUE}.")
     private String name;
 
-    @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
+    @Option(names = {"-f", "--force"}, description = "Replace existing results; otherwise they are an error.")
     private boolean force;
 
-    @Option(names = "--duration", paramLabel = "SECONDS", description = "How long; without it until Ctrl-C.")
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "Duration; default: until Ctrl-C.")
     private Double durationS;
 
     @Option(names = "--record", paramLabel = "FILE",
-        description = "Record the events that are labelled, as AEDAT 2.0, which jAER and run read.")
+        description = "Also record the labelled events, as AEDAT 2.0, which jAER and 'run' can read.")
     private Path record;
 
     @Option(names = "--serial", paramLabel = "NUMBER",
-        description = "Serial number of the camera; without it the first.")
+        description = "Serial number of the camera; default: the first camera.")
     private String serial;
 
     @Option(names = "--biases", paramLabel = "FILE",
-        description = "Properties file with biases over the defaults, such as DiffBn=0x427F or, for coarse and fine "
-            + "current of a DAVIS, DiffBn=4 39.")
+        description = "Properties file with biases that replace defaults, such as DiffBn=0x427F or, as coarse and "
+        + "fine current of a DAVIS, DiffBn=4 39.")
     private Path biases;
 
     @Option(names = "--udp", paramLabel = "[HOST:]PORT",
-        description = "Take jAER's AEUnicast stream (its port is 8991) instead of a camera. Listens on this machine's "
-            + "own address 127.0.0.1 unless a host is given; 0.0.0.0 is all.")
+        description = "Read jAER's AEUnicast stream (usual port: 8991) instead of a camera. Listens on 127.0.0.1 "
+        + "(this machine only) unless a host is given; 0.0.0.0 accepts all.")
     private String udp;
 
-    @Option(names = "--chip", paramLabel = "CHIP", description = "Sensor whose events come by --udp.")
+    @Option(names = "--chip", paramLabel = "CHIP", description = "Sensor of the stream read by --udp.")
     private String chip;
 
-    @Option(names = {"-q", "--quiet"}, description = "Show no status and no summary, only what is wrong.")
+    @Option(names = {"-q", "--quiet"}, description = "Print only errors and warnings, no status and no summary.")
     private boolean quiet;
 
     @Mixin
@@ -143,10 +144,11 @@ final class LiveCommand implements Callable<Integer> {
             throw usage("--duration must be positive but was " + durationS);
         }
         if (udp == null && chip != null) {
-            throw usage("--chip goes with --udp; a camera tells its own");
+            throw usage("--chip is for --udp; a camera reports its own chip");
         }
         if (udp != null && (serial != null || biases != null)) {
-            throw usage((serial != null ? "--serial" : "--biases") + " is of a camera and does not go with --udp");
+            throw usage((serial != null ? "--serial" : "--biases") + " is for a camera and cannot be combined with "
+            + "--udp");
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
         if (!name.equals(String.valueOf(Path.of(name).getFileName())) || name.equals(".") || name.equals("..")

@@ -23,12 +23,12 @@ final class MethodOptions {
     private CommandSpec command;
 
     @Option(names = "--method", paramLabel = "METHOD", defaultValue = "sofas",
-        description = "What labels the events: ${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}. The last two find "
-            + "no segments: every event with flow is of segment 1.")
+        description = "Method: ${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}. The last two find no segments: "
+        + "each event with flow gets segment 1.")
     private Method method;
 
     @Option(names = "--derivative", paramLabel = "DERIVATIVE",
-        description = "How lucas-kanade differentiates: ${COMPLETION-CANDIDATES}; default: savitzky-golay.")
+        description = "Derivative used by lucas-kanade: ${COMPLETION-CANDIDATES}; default: savitzky-golay.")
     private LucasKanadeDerivative derivative;
 
     /** What labels the events. */
@@ -74,7 +74,8 @@ final class MethodOptions {
      */
     MethodChoice choice(ParameterOptions parameterOptions) {
         if (method != Method.LUCAS_KANADE && derivative != null) {
-            throw new ParameterException(command.commandLine(), "--derivative is of --method lucas-kanade, not of "
+            throw new ParameterException(command.commandLine(), "--derivative needs --method lucas-kanade but was "
+            + "used with "
                 + method);
         }
         if (method == Method.SOFAS) {
@@ -104,7 +105,7 @@ final class MethodOptions {
 
     /** Refuses what only SOFAS has, where another method was chosen. */
     private void refuseParametersOfSofas() {
-        refuse(ofSofas(), "is of --method sofas, not of " + method);
+        refuse(ofSofas(), "needs --method sofas but was used with " + method);
     }
 
     /**

@@ -55,11 +55,12 @@ final class ParameterOptions {
 
     @Option(names = "--preset", paramLabel = "PRESET", defaultValue = "default",
         completionCandidates = PresetNames.class, converter = PresetConverter.class,
-        description = "Base of the algorithm's parameters: ${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}.")
+        description = "Initial values of the algorithm parameters: ${COMPLETION-CANDIDATES}; default: "
+        + "${DEFAULT-VALUE}.")
     private SofasParameters.Preset preset;
 
     @Option(names = "--config", paramLabel = "FILE",
-        description = "Properties file with algorithm parameters, such as lifetime-px=6; options go before it.")
+        description = "Properties file with algorithm parameters, such as lifetime-px=6; options override it.")
     private Path config;
 
     /** Adds one option a parameter to a command that has this class as a mixin. */

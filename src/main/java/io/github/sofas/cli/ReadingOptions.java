@@ -10,30 +10,30 @@ import picocli.CommandLine.Option;
 /** What a recording does not say itself, for all commands that read recordings. */
 final class ReadingOptions {
     @Option(names = "--chip", paramLabel = "CHIP",
-        description = "Sensor of recordings that name none, such as DVS128 or DAVIS240C; for text and AEDAT 3 and 4 "
-            + "also a size such as 640x480.")
+        description = "Sensor of recordings that do not name one, such as DVS128 or DAVIS240C; for text and AEDAT 3 "
+        + "and 4 also a size such as 640x480.")
     private String chip;
 
     @Option(names = "--force-chip",
-        description = "Take --chip even where the recording names another, or where its addresses speak against it.")
+        description = "Use --chip even if the recording names another sensor or its addresses contradict it.")
     private boolean forceChip;
 
     @Option(names = "--strict",
-        description = "Take a step back in time for damage; without it the event gets the time of the one before.")
+        description = "Treat a step back in time as an error; otherwise the event gets the time of the previous one.")
     private boolean strict;
 
     @Option(names = "--columns", paramLabel = "NAME", split = ",",
-        description = "What the fields of text recordings are, in their order, such as t,x,y,p or x,y,_,p,t; without "
-            + "it as their header says, or t,x,y,p.")
+        description = "Fields of text recordings, in order, such as t,x,y,p or x,y,_,p,t; default: as in the header, "
+        + "else t,x,y,p.")
     private List<String> columns;
 
     @Option(names = "--time", paramLabel = "UNIT",
-        description = "Unit of the times of text recordings: s, ms, us or ns; without it as header or numbers say.")
+        description = "Time unit of text recordings: s, ms, us or ns; default: detected from header or numbers.")
     private String timeUnit;
 
     @Option(names = "--doubtful-share", paramLabel = "SHARE", defaultValue = "0.01",
-        description = "Share of events that may be corrected, dropped or malformed, 0 to 1; over it the exit code is "
-            + "1; default: ${DEFAULT-VALUE}.")
+        description = "Share of events that may be corrected, dropped or malformed, 0 to 1; above it the exit code is "
+        + "1; default: ${DEFAULT-VALUE}.")
     private double doubtfulShare;
 
     /**

@@ -41,9 +41,9 @@ final class RemovedParameters {
         constant("merge-velocity", "0.15");
         constant("merge-loss", "0.02");
         constant("merge-gap-share", "0.8");
-        REASONS.put("foresight", "acceleration=false is what 0 was");
+        REASONS.put("foresight", "acceleration=false replaces 0");
         for (String name : new String[] {"path-px", "crowded-share", "slow-share", "return-share", "pair-gap-share"}) {
-            REASONS.put(name, "what it switched bought nothing that can be measured");
+            REASONS.put(name, "it had no measurable effect");
         }
     }
 

@@ -32,11 +32,11 @@ import picocli.CommandLine.Spec;
 /** Makes a film or pictures of a recording's events, flow and segments. */
 @Command(name = "render", sortOptions = false,
     customSynopsis = "sofas render [OPTION]... --out DIR RECORDING",
-    description = {"Make a film or pictures of a recording's events, flow and segments.",
+    description = {"Make a film of a recording's events, flow and segments.",
         "Writes NAME.mp4, NAME.gif or NAME.png.zip; NAME is the recording's file name without its last extension. "
-        + "Labels the events itself, or takes the labels that 'run' wrote (--results)."},
+        + "Labels the events, or uses the labels written by 'run' (--results)."},
     exitCodeListHeading = "%nExit codes:%n",
-    exitCodeList = {"0:written", "1:the recording failed; what was seen before is written", "2:wrong usage"})
+    exitCodeList = {"0:written", "1:the recording failed; the film up to then is written", "2:wrong usage"})
 final class RenderCommand implements Callable<Integer> {
     private static final Pattern EXPOSURE = Pattern.compile("(\\d+(?:\\.\\d+)?)(ms|ev)");
 
@@ -46,15 +46,15 @@ final class RenderCommand implements Callable<Integer> {
     @ParentCommand
     private SofasCommand sofas;
 
-    @Parameters(paramLabel = "RECORDING", description = "What is shown.")
+    @Parameters(paramLabel = "RECORDING", description = "The recording.")
     private Path recording;
 
     @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
-        description = "Where the film goes; made where it does not exist.")
+        description = "Output folder; created if it does not exist.")
     private Path out;
 
     @Option(names = "--results", paramLabel = "DIR",
-        description = "Folder of NAME.flow.csv, which 'run' wrote: the events are not labelled again.")
+        description = "Folder of NAME.flow.csv, written by 'run'; the events are not labelled again.")
     private Path results;
 
     @Option(names = "--format", defaultValue = "MP4", paramLabel = "FORMAT",
@@ -62,11 +62,11 @@ final class RenderCommand implements Callable<Integer> {
     private RenderRun.Format format;
 
     @Option(names = "--encoder", defaultValue = "AUTO", paramLabel = "ENCODER",
-        description = "What encodes mp4: ffmpeg on PATH, jcodec (built in, slower, larger files) or auto (ffmpeg where "
-        + "it is there); default: auto.")
+        description = "MP4 encoder: ffmpeg (must be on PATH), jcodec (built in; slower, larger files) or auto (ffmpeg "
+        + "if available); default: auto.")
     private Mp4Film.Encoder encoder;
 
-    @Option(names = {"-f", "--force"}, description = "Replace a film that exists; without it, it is an error.")
+    @Option(names = {"-f", "--force"}, description = "Replace an existing film; otherwise it is an error.")
     private boolean force;
 
     @Option(names = {"-q", "--quiet"}, description = "Print no summary.")
@@ -75,7 +75,7 @@ final class RenderCommand implements Callable<Integer> {
     @ArgGroup(validate = false, heading = "%nWhat is shown:%n")
     private final Shown shown = new Shown();
 
-    @ArgGroup(validate = false, heading = "%nWhen:%n")
+    @ArgGroup(validate = false, heading = "%nTime:%n")
     private final Times times = new Times();
 
     @Mixin
@@ -96,48 +96,49 @@ final class RenderCommand implements Callable<Integer> {
         @Option(names = "--theme", defaultValue = "DARK", description = "${COMPLETION-CANDIDATES}; default: dark.")
         private Theme theme;
 
-        @Option(names = "--wheel", defaultValue = "SAFE", description = "Colours of directions: safe (for colour-blind "
-            + "people too) or hue (as in most papers); default: safe.")
+        @Option(names = "--wheel", defaultValue = "SAFE", description = "Colours of directions: safe (also for "
+            + "colour-blind people) or hue (as in most papers); default: safe.")
         private FlowColours.Wheel wheel;
 
-        @Option(names = "--scale", paramLabel = "N", description = "Screen pixels a pixel of the sensor, 1 to 16; "
-            + "default: so that a panel is at least 480 wide.")
+        @Option(names = "--scale", paramLabel = "N", description = "Screen pixels per sensor pixel, 1 to 16; default: "
+            + "such that a panel is at least 480 wide.")
         private Integer scale;
 
         @Option(names = "--crop", paramLabel = "X,Y,W,H", description = "Part of the sensor that is shown.")
         private String crop;
 
         @Option(names = "--full-speed", paramLabel = "PX/S", description = "Speed of the full colour and of the scale "
-            + "bar; default: follows what is seen.")
+            + "bar; default: adapts to the scene.")
         private Double fullPxPerS;
     }
 
     /** When it is shown. */
     private static final class Times {
-        @Option(names = "--fps", defaultValue = "30", description = "Pictures a second of film, at most 240; default: "
-            + "30. GIF counts hundredths of a second: the nearest is taken, 33.3 for 30, at most 50.")
+        @Option(names = "--fps", defaultValue = "30", description = "Pictures per second of film, at most 240; "
+            + "default: 30. GIF has steps of 0.01 s: the nearest rate is used, 33.3 for 30, at most 50.")
         private double fps;
 
         @Option(names = "--slow", paramLabel = "FACTOR",
-            description = "Seconds of film a second of recording; 10 is ten times slower than life; default: 1.")
+            description = "Seconds of film per second of recording; 10 is ten times slower than life; default: 1.")
         private Double slow;
 
         @Option(names = "--every", paramLabel = "EVENTS",
-            description = "A picture every so many events, in place of --slow.")
+            description = "One picture per so many events, instead of --slow.")
         private Long every;
 
-        @Option(names = "--exposure", paramLabel = "TIME", description = "How long an event is shown: such as 20ms, or "
-            + "5000ev for the last 5,000 events; default: 33ms, or the events of one picture with --every.")
+        @Option(names = "--exposure", paramLabel = "TIME", description = "How long an event is shown, such as 20ms, "
+            + "or 5000ev for the last 5,000 events; default: 33ms, with --every the events of one picture.")
         private String exposure;
 
-        @Option(names = "--from", paramLabel = "SECONDS", description = "Where the film begins, from the first event.")
+        @Option(names = "--from", paramLabel = "SECONDS", description = "Begin of the film, in seconds from the first "
+            + "event.")
         private double fromS;
 
-        @Option(names = "--to", paramLabel = "SECONDS", description = "Where it ends; default: with the recording.")
+        @Option(names = "--to", paramLabel = "SECONDS", description = "End of the film; default: end of the recording.")
         private double toS = Double.POSITIVE_INFINITY;
 
         @Option(names = "--max-pictures", defaultValue = "36000", paramLabel = "N",
-            description = "Most pictures of a film; default: ${DEFAULT-VALUE}, 20 minutes at 30 fps.")
+            description = "Largest number of pictures; default: ${DEFAULT-VALUE}, 20 minutes at 30 fps.")
         private long maxPictures;
     }
 
@@ -162,7 +163,7 @@ final class RenderCommand implements Callable<Integer> {
                     run.file(), outcome.pictures(), outcome.pictures() == 1 ? "picture" : "pictures",
                     outcome.events(), outcome.recordingS(), outcome.wallS()));
                 if (outcome.encoder() == Mp4Film.Encoder.JCODEC && encoder == Mp4Film.Encoder.AUTO) {
-                    err.println("encoded by jcodec; with ffmpeg on PATH films take less time and space");
+                    err.println("encoded by jcodec; with ffmpeg on PATH, films are encoded faster and are smaller");
                 }
             }
             String doubt = reading.doubt(recording, outcome.doubtfulShare());
@@ -206,14 +207,14 @@ final class RenderCommand implements Callable<Integer> {
                 + times.toS);
         }
         if (results != null && shown.panels.contains(Panel.CONTOURS)) {
-            throw usage("--panels contours needs the track planes themselves: leave --results out");
+            throw usage("--panels contours cannot be combined with --results: it needs the track planes");
         }
         if (results != null) {
             methodOptions.refuseLabelling("--results");
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
         if (!method.method().equals("sofas") && shown.panels.contains(Panel.CONTOURS)) {
-            throw usage("--panels contours is of --method sofas, not of " + method.method());
+            throw usage("--panels contours needs --method sofas but was used with " + method.method());
         }
         Map<String, Path> named;
         PictureOptions pictures;

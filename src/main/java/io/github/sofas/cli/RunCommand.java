@@ -28,9 +28,9 @@ import picocli.CommandLine.Spec;
 /** Gives flow and segment to every event of recordings. */
 @Command(name = "run", sortOptions = false,
     customSynopsis = "sofas run [OPTION]... --out DIR RECORDING...",
-    description = {"Give flow and segment to every event of recordings.",
-        "Writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json for each; NAME is the recording's file name "
-        + "without its last extension."},
+    description = {"Label each event of recordings with flow and segment.",
+        "Writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json per recording; NAME is its file name without "
+        + "the last extension."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:every recording was read to its end", "1:a recording failed or is doubtful; the others were run",
         "2:wrong usage; nothing was run"})
@@ -46,38 +46,38 @@ final class RunCommand implements Callable<Integer> {
     private List<String> arguments;
 
     @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
-        description = "Where the results go; made where it does not exist.")
+        description = "Output folder; created if it does not exist.")
     private Path out;
 
     @Option(names = "--report",
-        description = "Also write NAME.report.html: a page with curves, pictures and a clip that needs no other file.")
+        description = "Also write NAME.report.html, a self-contained page with curves, pictures and a clip.")
     private boolean report;
 
-    @Option(names = {"-f", "--force"}, description = "Replace results that exist; without it they are an error.")
+    @Option(names = {"-f", "--force"}, description = "Replace existing results; otherwise they are an error.")
     private boolean force;
 
     @Option(names = "--resume",
-        description = "Go on with a batch that was stopped: pass over recordings whose results are complete, of the "
-            + "same recording, parameters and version.")
+        description = "Continue an interrupted batch: skip recordings with complete results of the same recording, "
+        + "parameters and version.")
     private boolean resume;
 
     @Option(names = "--name-with-extension",
-        description = "Keep the extension in NAME, for recordings that differ in nothing else.")
+        description = "Keep the extension in NAME, for recordings that differ only in it.")
     private boolean nameWithExtension;
 
     @Option(names = {"-j", "--jobs"}, paramLabel = "N", defaultValue = "1",
-        description = "How many recordings are run at once; default: ${DEFAULT-VALUE}.")
+        description = "Number of recordings at a time; default: ${DEFAULT-VALUE}.")
     private int jobs;
 
     @Option(names = "--threads", paramLabel = "N", defaultValue = "2",
-        description = "Threads for each recording: 1, or 2 to write while labelling, or 3 to read then too; "
-            + "default: ${DEFAULT-VALUE}. Results do not depend on it.")
+        description = "Threads per recording: 1, 2 (write while labelling) or 3 (also read while labelling); default: "
+        + "${DEFAULT-VALUE}. Results do not depend on it.")
     private int threads;
 
     @Mixin
     private ReadingOptions reading;
 
-    @Option(names = {"-q", "--quiet"}, description = "Show no progress and no summaries, only what is wrong.")
+    @Option(names = {"-q", "--quiet"}, description = "Print only errors and warnings, no progress and no summaries.")
     private boolean quiet;
 
     @Mixin
@@ -184,7 +184,7 @@ final class RunCommand implements Callable<Integer> {
             if (outdated == null) {
                 addDoubt(run, EarlierRun.of(RecordingRun.summaryFile(out, run.name())).doubtfulShare());
                 if (!quiet) {
-                    err.println(Printable.of(run.name() + ": results are complete, passed over"));
+                    err.println(Printable.of(run.name() + ": results are complete, skipped"));
                 }
             } else {
                 if (!run.existing().isEmpty() && !quiet) {
@@ -247,7 +247,7 @@ final class RunCommand implements Callable<Integer> {
             } else if (cause instanceof IOException) {
                 progress.say(place + "results cannot be written: " + FileFailure.text((IOException) cause));
             } else if (cause instanceof OutOfMemoryError) {
-                progress.say(place + "memory is used up: Java's heap has " + (Runtime.getRuntime().maxMemory() >> 20)
+                progress.say(place + "out of memory: Java's heap has " + (Runtime.getRuntime().maxMemory() >> 20)
                     + " MB; SOFAS_JAVA_OPTS=-Xmx4g would give it 4096");
             } else {
                 progress.clear();

@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
 /** Films a scene with a model of a sensor, and writes the recording with the truth of every event. */
 @Command(name = "simulate", sortOptions = false,
     customSynopsis = {"sofas simulate SCENE --out DIR [OPTION]...", "       sofas simulate --list"},
-    description = {"Film a scene with a model of an event camera.",
+    description = {"Film a scene with a simulated event camera.",
         "Writes SCENE.aedat (AEDAT 2.0) and SCENE.truth.csv (" + TruthCsv.HEADER + "; object 0 is noise)."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:written", "1:the files cannot be written", "2:wrong usage; nothing was written"})
@@ -58,16 +58,16 @@ final class SimulateCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Parameters(paramLabel = "SCENE", arity = "0..1",
-        description = "What is filmed; --list tells the scenes. random:7 is random with seed 7.")
+        description = "The scene; --list shows all. random:7 is the scene random with seed 7.")
     private String sceneName;
 
     @Option(names = "--list", description = "List the scenes.")
     private boolean list;
 
-    @Option(names = {"-o", "--out"}, paramLabel = "DIR", description = "Where the files go; made if it does not exist.")
+    @Option(names = {"-o", "--out"}, paramLabel = "DIR", description = "Output folder; created if it does not exist.")
     private Path out;
 
-    @Option(names = {"-f", "--force"}, description = "Replace files that exist; without it they are an error.")
+    @Option(names = {"-f", "--force"}, description = "Replace existing files; otherwise they are an error.")
     private boolean force;
 
     @Option(names = {"-q", "--quiet"}, description = "Print no summary.")
@@ -92,7 +92,7 @@ final class SimulateCommand implements Callable<Integer> {
             description = "Direction of the first object's motion, from right to down.")
         private double directionDeg;
 
-        @Option(names = "--scale", paramLabel = "FACTOR", description = "Factor on all sizes, of textures too.")
+        @Option(names = "--scale", paramLabel = "FACTOR", description = "Factor on all sizes, also of textures.")
         private double scale = SimulationOptions.defaults().scale();
 
         @Option(names = "--contrast", paramLabel = "LOG",
@@ -106,17 +106,17 @@ final class SimulateCommand implements Callable<Integer> {
         @Option(names = "--blur", paramLabel = "PX", description = "Standard deviation of the optical blur.")
         private double blurPx = SimulationOptions.defaults().blurPx();
 
-        @Option(names = "--turns", paramLabel = "HZ", description = "Turns a second of rotating bars.")
+        @Option(names = "--turns", paramLabel = "HZ", description = "Turns per second of rotating bars.")
         private double turnsPerS = SimulationOptions.defaults().turnsPerS();
 
-        @Option(names = "--turn-round", description = "Let a camera pan slow down, turn round and come back.")
+        @Option(names = "--turn-round", description = "Make a camera pan slow down, reverse and return.")
         private boolean turnsRound;
 
         @Option(names = "--field-of-view", paramLabel = "M",
-            description = "Width seen at the pendulum; 0 so that its swing fills it.")
+            description = "Width of the view at the pendulum, in m; 0 for the width of its swing.")
         private double fieldOfViewM;
 
-        @Option(names = "--seed", paramLabel = "N", description = "Seed of everything random; default: 1.")
+        @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers; default: 1.")
         private Long seed;
     }
 
@@ -125,13 +125,13 @@ final class SimulateCommand implements Callable<Integer> {
         @Option(names = "--chip", paramLabel = "CHIP", description = "The sensor; default: DAVIS240C.")
         private String chip = "DAVIS240C";
 
-        @Option(names = "--noise", paramLabel = "HZ/PX", description = "Background activity.")
+        @Option(names = "--noise", paramLabel = "HZ/PX", description = "Background activity per pixel.")
         private double noiseHzPerPx = DvsModel.davis().noiseHzPerPx();
 
-        @Option(names = "--hot-pixels", paramLabel = "N", description = "Pixels that fire by themselves.")
+        @Option(names = "--hot-pixels", paramLabel = "N", description = "Number of hot pixels.")
         private int hotPixels;
 
-        @Option(names = "--hot-pixel-rate", paramLabel = "HZ", description = "How often each of those fires.")
+        @Option(names = "--hot-pixel-rate", paramLabel = "HZ", description = "Rate of each hot pixel.")
         private double hotPixelHz = DvsModel.davis().hotPixelHz();
 
         @Option(names = "--threshold-on", paramLabel = "LOG",
@@ -148,7 +148,7 @@ final class SimulateCommand implements Callable<Integer> {
         @Option(names = "--jitter", paramLabel = "US", description = "Standard deviation of the latency.")
         private double jitterSdUs = DvsModel.davis().jitterSdUs();
 
-        @Option(names = "--refractory", paramLabel = "US", description = "Time after an event that a pixel is blind.")
+        @Option(names = "--refractory", paramLabel = "US", description = "Refractory time of a pixel after an event.")
         private double refractoryUs = DvsModel.davis().refractoryUs();
     }
 
@@ -203,7 +203,7 @@ final class SimulateCommand implements Callable<Integer> {
         Scene known = Scene.named(named)
             .orElseThrow(() -> usage("unknown scene \"" + sceneName + "\"; known are " + Scene.names()));
         if (mark >= 0 && known != Scene.RANDOM) {
-            throw usage("only random takes a seed in its name but it was \"" + sceneName + "\"");
+            throw usage("only random may have a seed in its name but it was \"" + sceneName + "\"");
         }
         return known;
     }
@@ -231,7 +231,7 @@ final class SimulateCommand implements Callable<Integer> {
             return scene.seed == null ? SimulationOptions.defaults().seed() : scene.seed;
         }
         if (scene.seed != null) {
-            throw usage("--seed goes with a scene without a seed in its name but it was \"" + sceneName + "\"");
+            throw usage("--seed cannot be combined with a seed in the scene's name but it was \"" + sceneName + "\"");
         }
         try {
             return Long.parseLong(sceneName.substring(mark + 1));

@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
 /** The command without a subcommand, and the options that all share. */
 @Command(name = "sofas", mixinStandardHelpOptions = true, scope = ScopeType.INHERIT, versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
-    description = "Optical flow and segment of every event of event-camera recordings.")
+    description = "Optical flow and segmentation of event-camera recordings, per event.")
 final class SofasCommand implements Runnable {
     /** Commands in the order of the help text. */
     private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, RenderCommand.class, LiveCommand.class,
@@ -34,7 +34,7 @@ final class SofasCommand implements Runnable {
     private CommandSpec spec;
 
     @Option(names = "--verbose", scope = ScopeType.INHERIT,
-        description = "Show where in the program an unexpected error arose.")
+        description = "Print the stack trace of an unexpected error.")
     private boolean verbose;
 
     /**

@@ -57,7 +57,7 @@ public record SofasParameters(
         @Parameter(value = "fewest events of a structure", origin = "ours, because a handful of events has no velocity",
             min = 8, max = 100_000, defaults = 40, paper = 40)
         int minEvents,
-        @Parameter(value = "metric an event that a structure needs",
+        @Parameter(value = "metric per event that a structure needs",
             origin = "ours, because sliding an edge along itself at any speed is rewarded while counts are small",
             min = 0, max = 1000, defaults = 2.5)
         double evidence) {

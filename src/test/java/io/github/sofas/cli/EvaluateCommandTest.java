@@ -154,7 +154,7 @@ public class EvaluateCommandTest {
     @Test
     public void refusesAShareToSkipWithoutTruth() {
         assertEquals(2, measure("--skip-first-share", "0.1"));
-        assertTrue(err.toString(), err.toString().startsWith("--skip-first-share goes with --truth"));
+        assertTrue(err.toString(), err.toString().startsWith("--skip-first-share needs --truth"));
     }
 
     @Test
@@ -164,13 +164,13 @@ public class EvaluateCommandTest {
 
     @Test
     public void refusesOptionsOfAnotherMethod() {
-        assertError(2, "--preset is of --method sofas, not of local-planes", "--method", "local-planes", "--preset",
-            "paper");
+        assertError(2, "--preset needs --method sofas but was used with local-planes", "--method", "local-planes",
+            "--preset", "paper");
     }
 
     @Test
     public void refusesADerivativeWithoutLucasKanade() {
-        assertError(2, "--derivative is of --method lucas-kanade, not of sofas", "--derivative",
+        assertError(2, "--derivative needs --method lucas-kanade but was used with sofas", "--derivative",
             "central-difference");
     }
 

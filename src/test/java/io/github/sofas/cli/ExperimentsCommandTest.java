@@ -62,8 +62,8 @@ public class ExperimentsCommandTest {
         Executed planes = Executed.command("experiments", "--random", "1", "--from-seed", "3", "--method",
             "local-planes");
         assertEquals(planes.err, 0, planes.exitCode);
-        assertUsage("--preset is of --method sofas, not of local-planes", "experiments", "--random", "1", "--method",
-            "local-planes", "--preset", "paper");
+        assertUsage("--preset needs --method sofas but was used with local-planes", "experiments", "--random", "1",
+            "--method", "local-planes", "--preset", "paper");
         assertUsage("--random must be at least 1 but was 0", "experiments", "--random", "0");
     }
 
@@ -96,7 +96,7 @@ public class ExperimentsCommandTest {
         assertTrue(lines.get(1), lines.get(1).startsWith("none  "));
         assertTrue(table.out, table.out.contains("\nmemoryPx  "));
         assertTrue(table.out, table.out.contains("\nrotation  "));
-        assertUsage("--ablation is of --method sofas with --preset default", "experiments", "--ablation", "--preset",
+        assertUsage("--ablation needs --method sofas and --preset default", "experiments", "--ablation", "--preset",
             "paper");
     }
 

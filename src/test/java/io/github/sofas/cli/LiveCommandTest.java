@@ -57,11 +57,13 @@ public class LiveCommandTest {
         String chips = Chip.knownNames();
         refuses("Missing required option: '--out=DIR'");
         refuses("--duration must be positive but was 0.0", "--out", dir, "--duration", "0");
-        refuses("--chip goes with --udp; a camera tells its own", "--out", dir, "--chip", "DVS128");
+        refuses("--chip is for --udp; a camera reports its own chip", "--out", dir, "--chip", "DVS128");
         refuses("--udp needs --chip, one of " + chips, "--out", dir, "--udp", "8991");
         refuses("--chip must be one of " + chips + " but was \"DVS1\"", "--out", dir, "--udp", "1", "--chip", "DVS1");
-        refuses("--serial is of a camera and does not go with --udp", "--out", dir, "--udp", "1", "--serial", "7");
-        refuses("--biases is of a camera and does not go with --udp", "--out", dir, "--udp", "1", "--biases", "f");
+        refuses("--serial is for a camera and cannot be combined with --udp", "--out", dir, "--udp", "1", "--serial",
+            "7");
+        refuses("--biases is for a camera and cannot be combined with --udp", "--out", dir, "--udp", "1", "--biases",
+            "f");
         refuses("--udp must be a port from 1 to 65535, or host:port, but was \"65536\"", "--out", dir, "--udp", "65536",
             "--chip", "DVS128");
         refuses("--udp must be a port from 1 to 65535, or host:port, but was \"8991/udp\"", "--out", dir, "--udp",

@@ -197,7 +197,7 @@ public class NothingLostTest {
     public void resumeRunsOutdatedAndCutResultsAgainAndSaysWhy() throws Exception {
         assertEquals(0, sofas("run", recording, "--out", out, "-q").exitCode);
         byte[] flow = Files.readAllBytes(out.resolve("e.flow.csv"));
-        assertEquals(List.of("e: results are complete, passed over"), resumed());
+        assertEquals(List.of("e: results are complete, skipped"), resumed());
         // cut by a full disk, or by hand
         Files.write(out.resolve("e.flow.csv"), Arrays.copyOf(flow, 1000));
         assertEquals("e: run again, because e.flow.csv must have " + flow.length + " bytes but has 1000",

@@ -139,10 +139,10 @@ public class RenderCommandTest {
         refuses("--scale must be between 1 and 16 but was 17", "--scale", "17");
         refuses("--full-speed must be above 0 and below 1,000,000 but was Infinity", "--full-speed", "Infinity");
         refuses("panels must be one or more, each once, but were [flow, flow]", "--panels", "flow,flow");
-        refuses("--panels contours needs the track planes themselves: leave --results out", "--panels", "contours",
-            "--results", "recordings");
-        refuses("--panels contours is of --method sofas, not of lucas-kanade", "--panels", "contours", "--method",
-            "lucas-kanade");
+        refuses("--panels contours cannot be combined with --results: it needs the track planes", "--panels",
+            "contours", "--results", "recordings");
+        refuses("--panels contours needs --method sofas but was used with lucas-kanade", "--panels", "contours",
+            "--method", "lucas-kanade");
     }
 
     @Test

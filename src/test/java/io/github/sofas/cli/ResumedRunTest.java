@@ -58,7 +58,7 @@ public class ResumedRunTest {
     /** The names of the recordings that were run, by their lines, and of those passed over with a minus. */
     private static List<String> names(Executed run) {
         return run.errLines().stream().filter(line -> !line.contains(": run again, because "))
-            .map(line -> line.endsWith(": results are complete, passed over")
+            .map(line -> line.endsWith(": results are complete, skipped")
             ? "-" + line.charAt(0) : line.substring(0, 1)).toList();
     }
 

@@ -369,7 +369,7 @@ public class RunCommandTest {
             .start();
         assertEquals(1, run.waitFor());
         List<String> lines = Files.readAllLines(err);
-        assertTrue(lines.get(0), lines.get(0).matches("\\[large.txt\\] memory is used up: Java's heap has 6\\d MB; "
+        assertTrue(lines.get(0), lines.get(0).matches("\\[large.txt\\] out of memory: Java's heap has 6\\d MB; "
             + "SOFAS_JAVA_OPTS=-Xmx4g would give it 4096"));
         assertEquals("1 of 2 recordings failed: " + large, lines.get(lines.size() - 1));
         assertEquals(results("edge"), filesIn(out));
@@ -431,10 +431,10 @@ public class RunCommandTest {
     @Test
     public void tellsWhatBecameOfOldParameters() throws IOException {
         assertUsage("--vote-cell-px was removed: it is always 1.3 px; see CHANGELOG.md", HEXAGON, "--vote-cell-px", 2);
-        assertUsage("--slow-share was removed: what it switched bought nothing that can be measured; see CHANGELOG.md",
+        assertUsage("--slow-share was removed: it had no measurable effect; see CHANGELOG.md",
             HEXAGON, "--slow-share", 0);
         Path config = Files.writeString(root.resolve("old.properties"), "lifetime-px=6\nforesight=0\n");
-        assertUsage("[old.properties] line 2: foresight was removed: acceleration=false is what 0 was; see "
+        assertUsage("[old.properties] line 2: foresight was removed: acceleration=false replaces 0; see "
             + "CHANGELOG.md", HEXAGON, "--config", config);
     }
 

@@ -175,9 +175,9 @@ public class SimulateCommandTest {
     @Test
     public void refusesSeedsThatAreNone() {
         assertUsage("the seed of a random scene must be a whole number but was \"x\"", "random:x");
-        assertUsage("only random takes a seed in its name but it was \"hexagon:7\"", "hexagon:7");
-        assertUsage("--seed goes with a scene without a seed in its name but it was \"random:7\"", "random:7", "--seed",
-            "3");
+        assertUsage("only random may have a seed in its name but it was \"hexagon:7\"", "hexagon:7");
+        assertUsage("--seed cannot be combined with a seed in the scene's name but it was \"random:7\"", "random:7",
+            "--seed", "3");
     }
 
     @Test
