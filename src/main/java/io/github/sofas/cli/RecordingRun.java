@@ -2,11 +2,14 @@ package io.github.sofas.cli;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
-import io.github.sofas.export.FlowCsvWriter;
+import io.github.sofas.export.FlowTable;
+import io.github.sofas.export.FlowWriter;
 import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.export.RunSummary;
 import io.github.sofas.export.SegmentsCsv;
+import io.github.sofas.export.TableFormat;
+import io.github.sofas.export.TrackTable;
 import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
@@ -15,6 +18,7 @@ import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
 import io.github.sofas.report.ReportCollector;
+import java.io.Closeable;
 import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -27,6 +31,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -41,9 +46,10 @@ import java.util.Map;
  * @param name of the results, without their endings
  * @param reportedCommand what the report says was typed; null where no report is written
  * @param replaces whether results that exist are replaced
+ * @param formats of the tables of events and tracks, each once, in the order of the enum
  */
 record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name,
-                    String reportedCommand, boolean replaces) {
+                    String reportedCommand, boolean replaces, List<TableFormat> formats) {
     /**
      * What came of it.
      *
@@ -57,6 +63,14 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     /** Where the row of every event goes. */
     static Path flowFile(Path out, String name) {
         return out.resolve(name + ".flow.csv");
+    }
+
+    private Path flowFile(TableFormat format) {
+        return out.resolve(name + ".flow." + format.extension());
+    }
+
+    private Path tracksFile(TableFormat format) {
+        return out.resolve(name + ".tracks." + format.extension());
     }
 
     /** Where the track planes go. */
@@ -80,7 +94,13 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
 
     /** All that this run writes. */
     List<Path> files() {
-        List<Path> files = new ArrayList<>(files(out, name));
+        List<Path> files = new ArrayList<>();
+        for (TableFormat format : formats) {
+            files.add(flowFile(format));
+            files.add(tracksFile(format));
+        }
+        files.add(segmentsFile(out, name));
+        files.add(summaryFile(out, name));
         if (reportedCommand != null) {
             files.add(reportFile());
         }
@@ -94,7 +114,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
 
     /** The same run, which replaces results that exist. */
     RecordingRun replacing() {
-        return new RecordingRun(recording, options, method, out, name, reportedCommand, true);
+        return new RecordingRun(recording, options, method, out, name, reportedCommand, true, formats);
     }
 
     /**
@@ -104,7 +124,8 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     String request() {
         File file = recording.toFile();
         List<Object> all = List.of(String.valueOf(options.chip()), options.strict(), options.forceChip(),
-            method.method(), method.preset(), method.parameters(), reportedCommand != null);
+            String.valueOf(options.columns()), String.valueOf(options.timeUnit()), method.method(), method.preset(),
+            method.parameters(), reportedCommand != null, formats);
         try {
             byte[] hash = MessageDigest.getInstance("SHA-256").digest(all.toString().getBytes(StandardCharsets.UTF_8));
             return String.join(" ", Version.text(), file.length() + "@" + file.lastModified(),
@@ -137,8 +158,13 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             EventLabeller labeller = method.make(reader.sensor(), segments::add);
             Steps steps = new Steps(reader, labeller, report, progress);
             steps.decodeNs = System.nanoTime() - start;
-            try (FlowCsvWriter csv = new FlowCsvWriter(results.create(flowFile(out, name)))) {
-                steps.csv = csv;
+            try (Tables tables = new Tables()) {
+                steps.tables = tables;
+                Map<String, String> metadata = metadata(reader);
+                for (TableFormat format : formats) {
+                    tables.flows.add(FlowTable.open(format, results, flowFile(format), metadata));
+                    tables.tracks.add(TrackTable.open(format, results, tracksFile(format), metadata));
+                }
                 BatchPipeline.run(steps, threads);
             }
             segments.addAll(labeller.segments());
@@ -155,6 +181,51 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             writeSegmentsAndSummary(results, out, name, summary);
             results.commit();
             return new Outcome(summary, steps.damage, reportFailure);
+        }
+    }
+
+    /** What a table says of itself, where its format has a place for it; the same whenever the same is run. */
+    private Map<String, String> metadata(RecordingReader reader) throws IOException {
+        Map<String, String> metadata = new LinkedHashMap<>();
+        metadata.put("sofas_version", Version.text());
+        metadata.put("recording", recording.getFileName().toString());
+        metadata.put("recording_format", reader.formatName());
+        metadata.put("sensor", reader.sensor().toString());
+        metadata.put("method", method.method());
+        metadata.put("preset", method.preset());
+        metadata.put("parameters", RunSummary.parametersAsJson(method.parameters()));
+        return metadata;
+    }
+
+    /** The tables of events and tracks, in each format. */
+    private static final class Tables implements Closeable {
+        private final List<FlowWriter> flows = new ArrayList<>();
+        private final List<TrackTable> tracks = new ArrayList<>();
+
+        void write(EventBatch batch, FlowOutput flow) throws IOException {
+            for (FlowWriter each : flows) {
+                each.write(batch, flow);
+            }
+            for (TrackTable each : tracks) {
+                each.add(batch, flow);
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            IOException failure = null;
+            List<Closeable> all = new ArrayList<>(flows);
+            all.addAll(tracks);
+            for (Closeable each : all) {
+                try {
+                    each.close();
+                } catch (IOException e) {
+                    failure = failure == null ? e : failure;
+                }
+            }
+            if (failure != null) {
+                throw failure;
+            }
         }
     }
 
@@ -175,7 +246,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         private final EventLabeller labeller;
         private final ReportCollector report;
         private final RunProgress progress;
-        private FlowCsvWriter csv;
+        private Tables tables;
         private EventSourceException damage;
         private Exception reportFailure;
         private long decodeNs;
@@ -217,7 +288,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
         @Override
         public void write(BatchPipeline.Slot slot) throws IOException {
             long start = System.nanoTime();
-            csv.write(slot.events, slot.flow);
+            tables.write(slot.events, slot.flow);
             addToReport(slot);
             outputNs += System.nanoTime() - start;
             withoutFlow.add(slot.events, slot.flow);

@@ -1,14 +1,17 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.TableFormat;
 import io.github.sofas.recording.Printable;
 import io.github.sofas.recording.RecordingOptions;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.ExecutionException;
@@ -29,8 +32,8 @@ import picocli.CommandLine.Spec;
 @Command(name = "run", sortOptions = false,
     customSynopsis = "sofas run [OPTION]... --out DIR RECORDING...",
     description = {"Label each event of recordings with flow and segment.",
-        "Writes NAME.flow.csv, NAME.segments.csv and NAME.summary.json per recording; NAME is its file name without "
-        + "the last extension."},
+        "Writes NAME.flow.csv, NAME.tracks.csv, NAME.segments.csv and NAME.summary.json per recording; NAME is its "
+        + "file name without the last extension."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:every recording was read to its end", "1:a recording failed or is doubtful; the others were run",
         "2:wrong usage; nothing was run"})
@@ -48,6 +51,11 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = {"-o", "--out"}, paramLabel = "DIR", required = true,
         description = "Output folder; created if it does not exist.")
     private Path out;
+
+    @Option(names = "--format", paramLabel = "FORMAT", split = ",", defaultValue = "csv",
+        description = "Formats of NAME.flow and NAME.tracks: csv, parquet, npz, or some of them; default: "
+            + "${DEFAULT-VALUE}.")
+    private List<String> formatNames;
 
     @Option(names = "--report",
         description = "Also write NAME.report.html, a self-contained page with curves, pictures and a clip.")
@@ -136,6 +144,19 @@ final class RunCommand implements Callable<Integer> {
         doubts.values().forEach(doubt -> spec.commandLine().getErr().println(Printable.of(doubt)));
     }
 
+    private List<TableFormat> formats() {
+        Set<TableFormat> formats = EnumSet.noneOf(TableFormat.class);
+        for (String name : formatNames) {
+            formats.add(TableFormat.named(name).orElseThrow(() -> usage("--format must be csv, parquet or npz but was "
+                + name + (name.equalsIgnoreCase("hdf5") ? ", which no library for Java writes in pieces; in "
+                + "Python, h5py makes it of an npz" : ""))));
+        }
+        if (report && !formats.contains(TableFormat.CSV)) {
+            throw usage("--report is drawn from the CSV, so --format must have csv too");
+        }
+        return List.copyOf(formats);
+    }
+
     /** Everything that can be wrong before the first recording is opened. */
     private List<RecordingRun> check() {
         if (jobs < 1) {
@@ -149,6 +170,7 @@ final class RunCommand implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
+        List<TableFormat> formats = formats();
         RecordingOptions options = reading.recordingOptions();
         MethodChoice method = methodOptions.choice(parameterOptions);
         Map<String, Path> named;
@@ -160,7 +182,7 @@ final class RunCommand implements Callable<Integer> {
         String reported = report ? typed() : null;
         List<RecordingRun> runs = new ArrayList<>();
         named.forEach((name, recording) ->
-            runs.add(new RecordingRun(recording, options, method, out, name, reported, force)));
+            runs.add(new RecordingRun(recording, options, method, out, name, reported, force, formats)));
         OutputFiles outputs = new OutputFiles(spec.commandLine());
         List<Path> inputs = new ArrayList<>(named.values());
         inputs.add(parameterOptions.config());

@@ -12,7 +12,7 @@ import java.io.OutputStream;
  * every locale; the two fields are empty and the segment is 0 where the event has no flow. Lines end in LF. The same
  * events and flow give the same bytes.
  */
-public final class FlowCsvWriter implements AutoCloseable {
+public final class FlowCsvWriter implements FlowWriter {
     /** The first line, without its end. */
     public static final String HEADER = EventCsvReader.EVENT_COLUMNS + FlowCsvWriter.ID_COLUMN;
     static final String ID_COLUMN = "segment";
@@ -59,6 +59,7 @@ public final class FlowCsvWriter implements AutoCloseable {
      * @param flow labelled by the engine for this batch
      * @throws IOException where they cannot be written
      */
+    @Override
     public void write(EventBatch batch, FlowOutput flow) throws IOException {
         int size = batch.size();
         for (int i = 0; i < size; i++) {

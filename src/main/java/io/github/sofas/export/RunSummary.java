@@ -2,8 +2,10 @@ package io.github.sofas.export;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import io.github.sofas.flow.Segment;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 
@@ -88,20 +90,8 @@ public record RunSummary(String version, String request, RecordingSummary record
             recording.write(json);
             json.writeStringField("method", method);
             json.writeStringField("preset", preset);
-            json.writeObjectFieldStart("parameters");
-            for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
-                json.writeFieldName(parameter.getKey());
-                Object value = parameter.getValue();
-                if (value instanceof Number) {
-                    // Its own text: 20 stays 20, 0.1f stays 0.1.
-                    json.writeNumber(value.toString());
-                } else if (value instanceof Boolean) {
-                    json.writeBoolean((Boolean) value);
-                } else {
-                    json.writeString(value.toString());
-                }
-            }
-            json.writeEndObject();
+            json.writeFieldName("parameters");
+            writeParameters(json, parameters);
             json.writeNumberField("events", recording.events());
             json.writeNumberField("events_with_flow", eventsWithFlow);
             Json.write(json, "share_with_flow", shareWithFlow(), 6);
@@ -135,5 +125,35 @@ public record RunSummary(String version, String request, RecordingSummary record
             json.writeEndObject();
             json.writeEndObject();
         }
+    }
+
+    /**
+     * All parameters as a JSON object, as the summary holds them.
+     *
+     * @throws IOException where a value cannot be written
+     */
+    public static String parametersAsJson(Map<String, Object> parameters) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (JsonGenerator json = Json.open(bytes)) {
+            writeParameters(json, parameters);
+        }
+        return bytes.toString(StandardCharsets.UTF_8).strip();
+    }
+
+    private static void writeParameters(JsonGenerator json, Map<String, Object> parameters) throws IOException {
+        json.writeStartObject();
+        for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
+            json.writeFieldName(parameter.getKey());
+            Object value = parameter.getValue();
+            if (value instanceof Number) {
+                // Its own text: 20 stays 20, 0.1f stays 0.1.
+                json.writeNumber(value.toString());
+            } else if (value instanceof Boolean) {
+                json.writeBoolean((Boolean) value);
+            } else {
+                json.writeString(value.toString());
+            }
+        }
+        json.writeEndObject();
     }
 }

@@ -114,7 +114,7 @@ public class ResumedRunTest {
         assertEquals(1, again.exitCode);
         assertEquals(List.of("-a", "-c"), names(again).subList(0, 2));
         assertEquals("1 of 1 recording failed: " + damaged, again.errLines().get(again.errLines().size() - 1));
-        assertEquals(9, files().size());
+        assertEquals(12, files().size());
     }
 
     @Test
@@ -155,7 +155,7 @@ public class ResumedRunTest {
         assertEquals(1, run.exitCode);
         assertTrue(run.err, run.errLines().contains("[b.aedat] results cannot be written: No space left on device"));
         assertArrayEquals(summary, Files.readAllBytes(out.resolve("b.summary.json")));
-        assertEquals(9, files().size());
+        assertEquals(12, files().size());
     }
 
     @Test
@@ -169,6 +169,6 @@ public class ResumedRunTest {
         assertTrue(run.err, run.errLines().contains("[b.aedat] results cannot be written: " + out + "/."
             + blocked.substring(out.toString().length() + 1) + "." + ProcessHandle.current().pid()
             + ".part: the directory is not there"));
-        assertEquals(6, files().stream().filter(name -> !name.startsWith(".")).count());
+        assertEquals(8, files().stream().filter(name -> !name.startsWith(".")).count());
     }
 }

@@ -84,7 +84,8 @@ public class RunCommandTest {
     private static Set<String> results(String... names) {
         Set<String> files = new TreeSet<>();
         for (String name : names) {
-            files.addAll(List.of(name + ".flow.csv", name + ".segments.csv", name + ".summary.json"));
+            files.addAll(List.of(name + ".flow.csv", name + ".tracks.csv", name + ".segments.csv",
+                name + ".summary.json"));
         }
         return files;
     }
