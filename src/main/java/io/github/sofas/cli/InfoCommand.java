@@ -109,7 +109,7 @@ final class InfoCommand implements Callable<Integer> {
         try {
             return read(recording, options, List.of());
         } catch (SensorNotNamedException e) {
-            if (!e.sizeServes()) {
+            if (!e.takesSize()) {
                 throw e;
             }
             SensorSize guess = Recordings.smallestSensor(recording, options);

@@ -131,8 +131,7 @@ public final class WithoutFlow {
             return "";
         }
         if (flickering > MOST * unlabelled) {
-            return percent(flickering) + " of these come again and again at their pixel in equal times: light that "
-                + "flickers";
+            return percent(flickering) + " of these repeat at their pixel at equal intervals: flickering light";
         }
         int[] busiest = unlabelledAt.clone();
         Arrays.sort(busiest);
@@ -143,17 +142,17 @@ public final class WithoutFlow {
         }
         if (fromFew > MOST * unlabelled) {
             return percent(fromFew) + " of these come from " + few + (few == 1 ? " pixel" : " pixels")
-                + ": hot pixels, or something that stays where it is";
+                + ": hot pixels, or something that does not move";
         }
         if (alone > MOST * unlabelled) {
-            return percent(alone) + " of these have no other event beside them in the " + COMPANY_US / 1000
-                + " ms before: noise, or too sparse for what moves there";
+            return percent(alone) + " of these have no neighbouring event in the " + COMPANY_US / 1000
+                + " ms before: noise, or too sparse";
         }
         if (newestUs - firstUs < SHORT_US) {
-            return String.format(Locale.ROOT, "with %.0f ms the recording is too short to find what moves",
+            return String.format(Locale.ROOT, "a recording of %.0f ms is too short to find a motion",
                 (newestUs - firstUs) * 1e-3);
         }
-        return "what moves there travels too little, or changes too much, to be told from what rests";
+        return "the motion is too short or too irregular to be distinguished from standstill";
     }
 
     private String percent(long count) {

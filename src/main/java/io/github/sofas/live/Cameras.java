@@ -114,7 +114,7 @@ public final class Cameras {
     public CameraSource open(String serial) throws EventSourceException {
         List<Camera> cameras = list();
         if (cameras.isEmpty()) {
-            throw new EventSourceException("no camera is plugged in; served are DAVIS240C, DAVIS346 and DVS128");
+            throw new EventSourceException("no camera is plugged in; supported are DAVIS240C, DAVIS346 and DVS128");
         }
         Camera firstUnusable = null;
         for (Camera camera : cameras) {

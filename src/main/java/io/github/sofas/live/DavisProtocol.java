@@ -116,7 +116,7 @@ final class DavisProtocol implements CameraProtocol {
         SensorSize sensor = chip.sensor();
         if ((swapped ? rows : columns) != sensor.width() || (swapped ? columns : rows) != sensor.height()) {
             throw new EventSourceException("[" + name + "] a " + chip.name() + " must have " + sensor
-                + " pixels but the camera tells " + columns + " columns and " + rows + " rows"
+                + " pixels but the camera reports " + columns + " columns and " + rows + " rows"
                 + (swapped ? ", swapped" : ""));
         }
         return chip;

@@ -83,7 +83,7 @@ record Hdf5Layout(String name, Hdf5Rows.Column x, Hdf5Rows.Column y, Hdf5Rows.Co
     private static Hdf5Rows matrix(Dataset events) {
         Hdf5Rows rows = new Hdf5Rows(events);
         if (rows.width() != 4) {
-            throw new HdfException("the data set " + events.getPath() + " must have four numbers an event but has "
+            throw new HdfException("the data set " + events.getPath() + " must have four numbers per event but has "
                     + rows.width());
         }
         return rows;

@@ -104,7 +104,7 @@ final class Hdf5Reader extends RecordingReader {
             return "unsupported, " + Printable.shortened(message);
         }
         if (message.startsWith(NO_FILTER)) {
-            return "unsupported, packed by a filter that is not served (" + Printable.shortened(message.substring(
+            return "unsupported, packed by an unsupported filter (" + Printable.shortened(message.substring(
                     NO_FILTER.length()).strip()) + "); h5repack -f GZIP=5 packs it anew";
         }
         Throwable cause = e;

@@ -6,15 +6,15 @@ import io.github.sofas.event.EventSourceException;
 public final class SensorNotNamedException extends EventSourceException {
     private static final long serialVersionUID = 1L;
 
-    private final boolean sizeServes;
+    private final boolean takesSize;
 
-    SensorNotNamedException(String message, boolean sizeServes) {
+    SensorNotNamedException(String message, boolean takesSize) {
         super(message);
-        this.sizeServes = sizeServes;
+        this.takesSize = takesSize;
     }
 
     /** Whether a size is enough, because the recording holds plain coordinates. */
-    public boolean sizeServes() {
-        return sizeServes;
+    public boolean takesSize() {
+        return takesSize;
     }
 }

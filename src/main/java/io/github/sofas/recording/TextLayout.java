@@ -68,8 +68,8 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         TextTimeUnit told = options.timeUnit() != null ? options.timeUnit() : known.unit();
         TextTimeUnit unit = told != null ? told : sample.unit(file);
         String note = told != null || !sample.isWhole || sample.times.isEmpty() ? null : "[" + file.name
-                + "] times are whole numbers and nothing says their unit; taken as " + unit + ": " + sample.rate(unit)
-                + "; --time s, ms, us or ns says another";
+                + "] times are whole numbers without a unit; taken as " + unit + ": " + sample.rate(unit)
+                + "; --time s, ms, us or ns sets another";
         return new TextLayout(known, header.separator, unit, header.bodyAt - file.position, header.lines, note);
     }
 
@@ -284,7 +284,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
                 unit = times.get(0).doubleValue() >= EPOCH_NS || areThousands() ? TextTimeUnit.NS : TextTimeUnit.US;
                 fastest = FASTEST_WHOLE;
                 if (times.size() < FEWEST_WHOLE) {
-                    throw untold(file, "but " + times.size() + " whole numbers cannot say it");
+                    throw untold(file, "but " + times.size() + " whole numbers do not show it");
                 }
             }
             double span = unit.seconds(span());
@@ -298,8 +298,8 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         }
 
         private MalformedRecordingException untold(RecordingFile file, String why) {
-            return wrong(file, 1, "malformed, the unit of time must be told, " + why
-                    + "; --time s, ms, us or ns says it");
+            return wrong(file, 1, "malformed, the time unit must be given, " + why
+                    + "; use --time s, ms, us or ns");
         }
 
         /** Whether all times are apart by thousands, as those are that were µs and are written as ns. */
@@ -320,7 +320,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         String rate(TextTimeUnit unit) {
             double span = unit.seconds(span());
             String about = "about " + rounded(events, 2) + " events in " + rounded(span, 3) + " s";
-            return span > 0 ? about + ", " + rounded(events / span, 2) + " a second" : about;
+            return span > 0 ? about + ", " + rounded(events / span, 2) + " per second" : about;
         }
 
         private static String rounded(double number, int digits) {

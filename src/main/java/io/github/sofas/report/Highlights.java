@@ -6,7 +6,7 @@ import java.util.List;
 
 /** Finds what of a recording is worth a picture: busy moments, and the seconds in which most events have flow. */
 final class Highlights {
-    /** Pictures a second of the clip. */
+    /** Pictures per second of the clip. */
     static final int FPS = 30;
     /** Time is looked at in steps of one picture. */
     static final long STEP_US = 1_000_000 / FPS;

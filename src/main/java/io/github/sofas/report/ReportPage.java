@@ -152,7 +152,7 @@ final class ReportPage {
         parts.add(dl(
             value(String.format(Locale.ROOT, "%,d", summary.recording().events()), "events"),
             value(String.format(Locale.ROOT, "%.3f s", summary.recording().durationS()), "of recording"),
-            value(String.format(Locale.ROOT, "%,.0f", summary.recording().eventsPerS()), "events a second"),
+            value(String.format(Locale.ROOT, "%,.0f", summary.recording().eventsPerS()), "events per second"),
             value(String.format(Locale.ROOT, "%.1f %%", 100 * summary.shareWithFlow()), "of the events have flow"),
             value(Long.toString(summary.countLarge()), "segments of 1 % of the events with flow or more; in all "
                 + summary.count(Segment.Fate.ALIVE) + " alive at the end, " + summary.count(Segment.Fate.MERGED)
@@ -178,8 +178,8 @@ final class ReportPage {
         double toS = Math.min(durationS, highlights.clipEnd() * Highlights.STEP_US * 1e-6);
         String when = highlights.clipIsAll() ? "The whole recording" : String.format(Locale.ROOT,
             "From %.1f to %.1f s, the %d seconds in which most events have flow", fromS, toS, Highlights.CLIP_S);
-        return List.of(h2("What moves"), p(when + ", at the speed of life. Left: the colour is the direction, as on "
-                + "the wheel. Right: a colour and a number is one moving structure; the arrow is its velocity."),
+        return List.of(h2("What moves"), p(when + ", in real time. Left: the colour is the direction of the flow. "
+            + "Right: one colour and number per moving structure; arrows are velocities."),
             video().withCondControls(true).withCondLoop(true).withCondMuted(true).attr("playsinline")
                 .withSrc("data:video/mp4;base64," + FILM));
     }
@@ -200,7 +200,8 @@ final class ReportPage {
     private List<DomContent> overTime() {
         double most = IntStream.range(0, bins.used()).mapToDouble(bins::rate).max().orElse(0);
         return List.of(h2("Over time"), div(
-            plot("Events a second", 0, most, "events/s").curve("all events", "c0", 0, bins.used(), bins::rate).figure(),
+            plot("Events per second", 0, most, "events/s")
+                .curve("all events", "c0", 0, bins.used(), bins::rate).figure(),
             plot("Share of the events that have flow", 0, 100, "%")
                 .curve("with flow", "c1", 0, bins.used(), bins::share).figure()).withClass("grid"));
     }
@@ -266,7 +267,7 @@ final class ReportPage {
     }
 
     private List<DomContent> reproduce() {
-        return List.of(h2("How to make this again"), pre(command),
+        return List.of(h2("How to reproduce this"), pre(command),
             p("SOFAS " + summary.version() + ", method " + summary.method()
                 + (summary.preset().isEmpty() ? "" : ", preset " + summary.preset())),
             details(summary("All parameters"), table(each(summary.parameters(), (name, value) ->

@@ -46,7 +46,7 @@ final class TimeBins {
         return widthUs;
     }
 
-    /** Events a second. */
+    /** Events per second. */
     double rate(int place) {
         return events[place] / widthS();
     }

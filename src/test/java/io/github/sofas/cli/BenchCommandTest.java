@@ -76,7 +76,7 @@ public class BenchCommandTest {
 
     @Test
     public void aDamagedRecordingFailsAndTheOthersAreMeasured() throws Exception {
-        Path bad = Files.write(folder.getRoot().toPath().resolve("bad.txt"), List.of("0 1 1 1", "0 1 1"));
+        Path bad = Files.write(folder.getRoot().toPath().resolve("bad.txt"), List.of("0.001 1 1 1", "0 1 1"));
         assertEquals(Main.FAILED, bench("--json", bad.toString(), edge.toString()));
         assertEquals("[bad.txt] line 2: malformed, expected \"t x y polarity\" but found 3 fields: \"0 1 1\"\n",
             err.toString());

@@ -49,7 +49,7 @@ public class RunReportTest {
     public void pageHasAllItsPartsWithoutAScript() throws IOException {
         String page = report(Path.of("recordings/short-bar.aedat")).replaceFirst("(?s)<script>.*</script>", "");
         assertEquals(List.of("What moves", "Busiest moments", "How sharp it is", "Over time", "Segments",
-            "Where it moves", "How to make this again"), all("<h2>([^<]*)</h2>", page));
+            "Where it moves", "How to reproduce this"), all("<h2>([^<]*)</h2>", page));
         assertTrue(page.contains("<h3>Life lines</h3>"));
         assertEquals("rate, share, speed, direction, life lines", 5, all("(<svg class=\"plot)", page).size());
         assertEquals(1, all("(<svg class=\"polar\")", page).size());

@@ -43,8 +43,8 @@ public class WithoutFlowTest {
         for (int i = 0; i < 40; i++) {
             add(1_000_000_000L + i * 20_000L, 2 * i, 50, 1, 0);
         }
-        assertEquals("100 % of these have no other event beside them in the 10 ms before: noise, or too sparse for "
-            + "what moves there", withoutFlow.likelyReason());
+        assertEquals("100 % of these have no neighbouring event in the 10 ms before: noise, or too sparse",
+            withoutFlow.likelyReason());
     }
 
     @Test
@@ -68,7 +68,7 @@ public class WithoutFlowTest {
             }
         }
         // Two equal times are first known at the second fall: 37 of 40 halves.
-        assertReason("93 % of these come again and again at their pixel in equal times: light that flickers");
+        assertReason("93 % of these repeat at their pixel at equal intervals: flickering light");
     }
 
     @Test
@@ -77,15 +77,15 @@ public class WithoutFlowTest {
         for (int i = 0; i < 8000; i++) {
             add(i, random.nextInt(100), random.nextInt(100), random.nextBoolean() ? 1 : -1, 0);
         }
-        assertEquals("with 8 ms the recording is too short to find what moves", withoutFlow.likelyReason());
+        assertEquals("a recording of 8 ms is too short to find a motion", withoutFlow.likelyReason());
     }
 
     @Test
-    public void otherwiseSomethingMovesThatCannotBeTold() {
+    public void otherwiseTheMotionIsTooShortOrTooIrregular() {
         Random random = new Random(4);
         for (int i = 0; i < 80_000; i++) {
             add(i * 10L, random.nextInt(100), random.nextInt(100), random.nextBoolean() ? 1 : -1, 0);
         }
-        assertReason("what moves there travels too little");
+        assertReason("the motion is too short or too irregular");
     }
 }

@@ -30,7 +30,7 @@ public class CamerasTest {
     public void saysThatThereIsNoCamera() {
         FakeTransport fake = new FakeTransport();
         fake.devices.add(MOUSE);
-        assertEquals("no camera is plugged in; served are DAVIS240C, DAVIS346 and DVS128", refusal(fake, null));
+        assertEquals("no camera is plugged in; supported are DAVIS240C, DAVIS346 and DVS128", refusal(fake, null));
     }
 
     @Test
@@ -104,8 +104,8 @@ public class CamerasTest {
     public void refusesAChipWithAnotherNumberOfPixels() {
         FakeTransport fake = FakeTransport.davis240c();
         fake.parameters.put("1/2", 4);
-        assertEquals("[DAVIS240C 00000042] a DAVIS240C must have 240x180 pixels but the camera tells 240 columns and "
-            + "180 rows, swapped", refusal(fake, null));
+        assertEquals("[DAVIS240C 00000042] a DAVIS240C must have 240x180 pixels but the camera reports 240 columns "
+            + "and 180 rows, swapped", refusal(fake, null));
     }
 
     @Test

@@ -76,8 +76,8 @@ public class TextLayoutTest {
     @Test public void takesWholeNumbersForMicrosecondsWhereTheRateFitsAndSaysSo() throws Exception {
         ReadResult read = read(rows(1000, 5, 10));
         assertEquals("15 5 6 1", read.events.get(1));
-        assertEquals(List.of("[a.csv] times are whole numbers and nothing says their unit; taken as us: about 1000 "
-                + "events in 0.00995 s, 100000 a second; --time s, ms, us or ns says another"), read.notes);
+        assertEquals(List.of("[a.csv] times are whole numbers without a unit; taken as us: about 1000 events in "
+            + "0.00995 s, 100000 per second; --time s, ms, us or ns sets another"), read.notes);
     }
 
     @Test public void takesThousandsAndTheClockOf1970ForNanoseconds() throws Exception {
@@ -88,13 +88,13 @@ public class TextLayoutTest {
 
     @Test public void refusesWholeNumbersThatFitNoUnit() throws Exception {
         // as us 1000 events in 10 ns
-        assertEquals("[a.csv] line 1: malformed, the unit of time must be told, but as us the recording "
-                + "would have about 1000 events in 0 s; --time s, ms, us or ns says it", read(rows(1000, 5, 0)).error);
-        assertEquals("[a.csv] line 1: malformed, the unit of time must be told, but as us the recording would have "
-                + "about 200 events in 19500 s, 0.01 a second; --time s, ms, us or ns says it",
+        assertEquals("[a.csv] line 1: malformed, the time unit must be given, but as us the recording would have "
+            + "about 1000 events in 0 s; use --time s, ms, us or ns", read(rows(1000, 5, 0)).error);
+        assertEquals("[a.csv] line 1: malformed, the time unit must be given, but as us the recording would have "
+            + "about 200 events in 19500 s, 0.01 per second; use --time s, ms, us or ns",
                 read(rows(200, 5, 100_000_001)).error);
-        assertEquals("[a.csv] line 1: malformed, the unit of time must be told, but 3 whole numbers cannot say it; "
-                + "--time s, ms, us or ns says it", read(rows(3, 5, 10)).error);
+        assertEquals("[a.csv] line 1: malformed, the time unit must be given, but 3 whole numbers do not show it; "
+            + "use --time s, ms, us or ns", read(rows(3, 5, 10)).error);
     }
 
     /** A text file in microseconds with a fraction was read as seconds: no flow, and not a word. */
@@ -103,8 +103,8 @@ public class TextLayoutTest {
         for (int i = 0; i < 1000; i++) {
             rows.append(i * 10).append(".5 5 6 1\n");
         }
-        assertEquals("[a.csv] line 1: malformed, the unit of time must be told, but as s the recording would have "
-                + "about 1000 events in 9950 s, 0.1 a second; --time s, ms, us or ns says it",
+        assertEquals("[a.csv] line 1: malformed, the time unit must be given, but as s the recording would have "
+            + "about 1000 events in 9950 s, 0.1 per second; use --time s, ms, us or ns",
                 read(rows.toString()).error);
         options = options.withTimeUnit(TextTimeUnit.US);
         assertNull(read(rows.toString()).error);

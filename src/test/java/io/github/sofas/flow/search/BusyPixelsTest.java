@@ -61,7 +61,7 @@ public class BusyPixelsTest {
         BusyPixels busy = new BusyPixels(64, 48, SofasParameters.defaults().search());
         FlowPlane plane = new FlowPlane(64, 48, SofasParameters.defaults().search());
         for (int i = 0; i < 400_000; i++) {
-            // an eight by eight block of hot pixels, five million events a second
+            // an eight by eight block of hot pixels, five million events per second
             int x = 20 + (i & 7);
             int y = 20 + (i >> 3 & 7);
             long timeUs = i / 5;
