@@ -39,6 +39,7 @@ import picocli.CommandLine.Spec;
         "2:wrong usage; nothing was run"})
 final class ExperimentsCommand implements Callable<Integer> {
     private static final int ABLATION_SCENES = 24;
+    private static final int REPORTED_SCENES = 100;
 
     @Spec
     private CommandSpec spec;
@@ -48,7 +49,7 @@ final class ExperimentsCommand implements Callable<Integer> {
     private Path out;
 
     @Option(names = "--random", paramLabel = "N", description = "Print a table of N random scenes with consecutive "
-        + "seeds.")
+        + "seeds. With --out: how many scenes the page covers; default: " + REPORTED_SCENES + ".")
     private Integer random;
 
     @Option(names = "--from-seed", paramLabel = "SEED", defaultValue = "1",
@@ -94,6 +95,9 @@ final class ExperimentsCommand implements Callable<Integer> {
         if (jobs < 1) {
             throw usage("--jobs must be at least 1 but was " + jobs);
         }
+        if (random != null && random < 1) {
+            throw usage("--random must be at least 1 but was " + random);
+        }
         if (recordings != null && !Files.isDirectory(recordings)) {
             throw usage("--recordings must be a directory but was \"" + recordings + "\"");
         }
@@ -111,7 +115,8 @@ final class ExperimentsCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         try {
             Consumer<String> progress = quiet ? part -> { } : err::println;
-            Experiments experiments = Experiments.run(recordings, jobs, progress);
+            Experiments experiments = Experiments.run(recordings, random == null ? REPORTED_SCENES : random,
+                jobs, progress);
             write(experiments);
             experiments.failures().forEach(err::println);
             if (!quiet) {
@@ -129,9 +134,6 @@ final class ExperimentsCommand implements Callable<Integer> {
         if (random == null && !scenes && !ablation && recordings == null) {
             throw usage("Missing required option: '--out=DIR', or for tables --random, --scenes, --recordings or "
                 + "--ablation");
-        }
-        if (random != null && random < 1) {
-            throw usage("--random must be at least 1 but was " + random);
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
         PrintWriter err = spec.commandLine().getErr();

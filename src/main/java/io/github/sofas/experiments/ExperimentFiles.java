@@ -23,6 +23,8 @@ public enum ExperimentFiles {
     HISTOGRAMS("histograms.csv"),
     /** Every curve of the page. */
     CURVES("curves.csv"),
+    /** The default preset in each random and each textured scene. */
+    RANDOM_SCENES("random-scenes.csv"),
     /** The metric maps. */
     METRIC_MAPS("metric-maps.csv");
 
@@ -63,6 +65,9 @@ public enum ExperimentFiles {
                 break;
             case CURVES:
                 text = curves(experiments);
+                break;
+            case RANDOM_SCENES:
+                text = experiments.randomScenes().csv();
                 break;
             default:
                 text = metricMaps(experiments);

@@ -85,6 +85,7 @@ final class ExperimentReport {
             new Chapter("f", "(f) Metric maps", metricMaps()),
             new Chapter("g", "(g) Segmentation", segmentation()),
             new Chapter("h", "(h) Recordings of real cameras", real()),
+            new Chapter("i", "(i) Random scenes, texture, growth", RandomChapter.of(experiments.randomScenes())),
             new Chapter("figures", "All figures", List.of(figures(Setting.ALL))),
             new Chapter("definitions", "What the figures mean", definitions()));
         return "<!DOCTYPE html>\n" + html(
@@ -290,7 +291,7 @@ final class ExperimentReport {
             div(each(others, figure -> figure)).withClass("grid"));
     }
 
-    private static DomContent captioned(Strip.Moment moment, Panel panel, String before) {
+    static DomContent captioned(Strip.Moment moment, Panel panel, String before) {
         return figure(picture(moment.pictures().get(panel)),
             figcaption(format("%s%s, %.2f s", before, panel, moment.timeUs() * 1e-6)));
     }

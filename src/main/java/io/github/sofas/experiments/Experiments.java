@@ -37,6 +37,7 @@ public final class Experiments {
     private MetricMap oneObject;
     private MetricMap twoObjects;
     private Picture methodPicture;
+    private RandomScenes randomScenes;
     private double seconds;
 
     private Experiments(int jobs) {
@@ -47,16 +48,18 @@ public final class Experiments {
      * Runs everything.
      *
      * @param recordings folder of recordings of real cameras; null for none
+     * @param randomScenes how many random scenes, at least 1
      * @param jobs how many scenes or methods run at a time, at least 1
      * @param progress gets a line whenever a part is done, from several threads
      * @throws InterruptedException where the thread is interrupted; nothing is left running
      */
-    public static Experiments run(Path recordings, int jobs, Consumer<String> progress) throws InterruptedException {
-        return run(recordings, jobs, progress, Long.MAX_VALUE);
+    public static Experiments run(Path recordings, int randomScenes, int jobs, Consumer<String> progress)
+            throws InterruptedException {
+        return run(recordings, randomScenes, jobs, progress, Long.MAX_VALUE);
     }
 
     /** Runs everything on films that are cut off after a time. */
-    static Experiments run(Path recordings, int jobs, Consumer<String> progress, long longestUs)
+    static Experiments run(Path recordings, int randomScenes, int jobs, Consumer<String> progress, long longestUs)
             throws InterruptedException {
         long start = System.nanoTime();
         Experiments experiments = new Experiments(jobs);
@@ -81,6 +84,7 @@ public final class Experiments {
             experiments.twoObjects = result(two);
             experiments.methodPicture = MethodPicture.of(films.get(Setting.TWO_OPPOSITE), MAP_FROM_US, MAP_UNTIL_US,
                 experiments.twoObjects);
+            experiments.randomScenes = RandomScenes.run(randomScenes, jobs, longestUs, progress);
             experiments.seconds = (System.nanoTime() - start) * 1e-9;
             return experiments;
         } finally {
@@ -193,6 +197,11 @@ public final class Experiments {
         });
         real.forEach(each -> byScene.put(each.file(), each.checks()));
         return byScene;
+    }
+
+    /** What the default preset did in random and textured scenes. */
+    RandomScenes randomScenes() {
+        return randomScenes;
     }
 
     /** Metrics of one moving object, 400 x 400 projections. */

@@ -54,6 +54,11 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double nsPe
             this.value = value;
         }
 
+        /** All but the time, which differs from run to run. */
+        static List<Column> ofResults() {
+            return Arrays.stream(values()).filter(column -> column != TIME).toList();
+        }
+
         String title() {
             return title;
         }

@@ -30,7 +30,7 @@ final class StripPainter {
     private final List<Strip.Moment> moments = new ArrayList<>();
     private Picture withLegends;
 
-    StripPainter(SimulatedRecording recording) {
+    private StripPainter(SimulatedRecording recording) {
         this.recording = recording;
         fullPxPerS = fullPxPerS(recording);
         for (Theme theme : Theme.values()) {
@@ -52,8 +52,31 @@ final class StripPainter {
         return step;
     }
 
+    /** Lets a method label a film as far as its last moment, and pictures the moments. */
+    static Strip strip(SimulatedRecording recording, EventLabeller method) {
+        return strip(recording, method, new FlowEstimate());
+    }
+
+    /**
+     * The same, where the labels are wanted, too.
+     *
+     * @param estimate gets the labels of all events before the last moment
+     */
+    static Strip strip(SimulatedRecording recording, EventLabeller method, FlowEstimate estimate) {
+        StripPainter painter = new StripPainter(recording);
+        for (long timeUs : timesUs(recording.durationUs())) {
+            int before = 0;
+            while (before < recording.size() && recording.timeUs[before] < timeUs) {
+                before++;
+            }
+            estimate.label(recording, method, before);
+            painter.take(timeUs, estimate, method);
+        }
+        return painter.strip();
+    }
+
     /** When the moments of a film are: at 0.2, 0.4, 0.6 and 0.8 of its time. */
-    static List<Long> timesUs(long durationUs) {
+    private static List<Long> timesUs(long durationUs) {
         return List.of(durationUs / 5, 2 * durationUs / 5, 3 * durationUs / 5, 4 * durationUs / 5);
     }
 
@@ -62,7 +85,7 @@ final class StripPainter {
      *
      * @param estimate what it said of them
      */
-    void take(long timeUs, FlowEstimate estimate, EventLabeller method) {
+    private void take(long timeUs, FlowEstimate estimate, EventLabeller method) {
         int until = estimate.size();
         int from = until;
         while (from > 0 && recording.timeUs[from - 1] >= timeUs - EXPOSURE_US) {
@@ -94,7 +117,7 @@ final class StripPainter {
     }
 
     /** What was pictured. */
-    Strip strip() {
+    private Strip strip() {
         return new Strip(fullPxPerS, List.copyOf(moments), withLegends);
     }
 }

@@ -17,15 +17,21 @@ import java.util.stream.Stream;
 record TableScene(String name, Scene scene, SimulationOptions options) {
     private static final SimulationOptions PLAIN = SimulationOptions.defaults();
 
-    static List<TableScene> all() {
-        List<TableScene> all = new ArrayList<>();
+    /** Scenes with texture, growth and flicker. */
+    static List<TableScene> textured() {
+        List<TableScene> textured = new ArrayList<>();
         for (double speed : new double[] {60, 240, 1200}) {
-            all.add(new TableScene(Scene.TEXTURED_PAN.sceneName() + "-" + (int) speed, Scene.TEXTURED_PAN,
+            textured.add(new TableScene(Scene.TEXTURED_PAN.sceneName() + "-" + (int) speed, Scene.TEXTURED_PAN,
                 PLAIN.withSpeedPxPerS(speed)));
         }
         Stream.of(Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND, Scene.COMING_NEAR,
                 Scene.TEXTURED_MOVERS, Scene.FLICKER)
-            .forEach(scene -> all.add(new TableScene(scene.sceneName(), scene, PLAIN)));
+            .forEach(scene -> textured.add(new TableScene(scene.sceneName(), scene, PLAIN)));
+        return textured;
+    }
+
+    static List<TableScene> all() {
+        List<TableScene> all = textured();
         Setting.ALL.forEach(setting -> all.add(new TableScene(setting.id(), setting.scene(), setting.options())));
         Stream.of(Scene.SWINGING_BALL, Scene.WANDERING_DISCS, Scene.SIXTEEN)
             .forEach(scene -> all.add(new TableScene(scene.sceneName(), scene, PLAIN)));

@@ -34,15 +34,7 @@ record Trial(Setting setting, ComparedMethod method, Evaluation evaluation, Hist
         GroundTruth truth = GroundTruth.of(recording);
         EventLabeller labeller = method.make(recording.sensor());
         FlowEstimate estimate = new FlowEstimate();
-        Strip strip = null;
-        if (Setting.PICTURED.contains(setting)) {
-            StripPainter painter = new StripPainter(recording);
-            for (long timeUs : StripPainter.timesUs(recording.durationUs())) {
-                estimate.label(recording, labeller, eventsBefore(recording, timeUs));
-                painter.take(timeUs, estimate, labeller);
-            }
-            strip = painter.strip();
-        }
+        Strip strip = Setting.PICTURED.contains(setting) ? StripPainter.strip(recording, labeller, estimate) : null;
         estimate.label(recording, labeller, recording.size());
         EvaluationOptions options = EvaluationOptions.defaults();
         Evaluation evaluation = Evaluation.of(truth, estimate, options);
@@ -63,14 +55,6 @@ record Trial(Setting setting, ComparedMethod method, Evaluation evaluation, Hist
         }
         return new Trial(setting, method, evaluation, magnitude.histogram(), direction.histogram(),
             speed(truth, estimate, true), speed(truth, estimate, false), strip);
-    }
-
-    private static int eventsBefore(SimulatedRecording recording, long timeUs) {
-        int n = 0;
-        while (n < recording.size() && recording.timeUs[n] < timeUs) {
-            n++;
-        }
-        return n;
     }
 
     /** Median speeds of the object events in bins of 20 ms. */

@@ -38,7 +38,7 @@ public class ExperimentsTest {
     @BeforeClass
     public static void runsAll() throws Exception {
         Files.writeString(FOLDER.getRoot().toPath().resolve("cars.aedat"), "no recording");
-        experiments = Experiments.run(FOLDER.getRoot().toPath(), 2, PROGRESS::add, 700_000);
+        experiments = Experiments.run(FOLDER.getRoot().toPath(), 6, 2, PROGRESS::add, 700_000);
     }
 
     private static String written(ExperimentFiles file) throws IOException {
@@ -131,7 +131,7 @@ public class ExperimentsTest {
             assertTrue(links.group(1), page.contains("id=\"" + links.group(1) + "\""));
             count++;
         }
-        assertEquals(12, count);
+        assertEquals(13, count);
     }
 
     @Test
@@ -148,6 +148,22 @@ public class ExperimentsTest {
         assertEquals(16 * 4 * (103 + 93) + 1, histograms.lines().count());
         assertTrue(written(ExperimentFiles.CURVES).contains("\npendulum-sofas-paper,true,0.010,"));
         assertEquals(400 * 400 + 20 * 20 + 1, written(ExperimentFiles.METRIC_MAPS).lines().count());
+    }
+
+    @Test
+    public void theWorstRandomScenesArePictured() throws IOException {
+        RandomScenes scenes = experiments.randomScenes();
+        assertEquals(6, scenes.random().size());
+        assertEquals(5, scenes.worst().size());
+        double worst = scenes.random().stream().mapToDouble(SceneFigures.Column.IOU::of).min().orElseThrow();
+        assertEquals(worst, SceneFigures.Column.IOU.of(scenes.worst().get(0).figures()), 0);
+        assertEquals(4, scenes.worst().get(0).strip().moments().size());
+        String page = written(ExperimentFiles.REPORT);
+        assertTrue(page.contains("<h3>Among the worst: " + scenes.worst().get(0).figures().name() + "</h3>"));
+        String csv = written(ExperimentFiles.RANDOM_SCENES);
+        assertTrue(csv, csv.startsWith("scene,objects,events,\"IoU\",\"parts\",\"rEE,%\",\"flow,%\","));
+        assertEquals("header, random and textured scenes", 1 + 6 + 9, csv.lines().count());
+        assertTrue(csv, csv.contains("\nflicker,0,"));
     }
 
     @Test
