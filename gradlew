@@ -9,6 +9,14 @@ pinned_url=https://services.gradle.org/distributions/gradle-$pinned-bin.zip
 project=$(dirname "$(readlink -f "$0" 2>/dev/null || echo "$0")")
 . "$project/gradle/jdk.sh"
 
+# In the plain locale Java finds no class in a folder whose name is not all ASCII.
+case ${LC_ALL:-${LC_CTYPE:-${LANG:-C}}} in
+    C | POSIX)
+        LC_ALL=C.UTF-8
+        export LC_ALL
+        ;;
+esac
+
 say() {
     echo "gradlew: $*" >&2
 }
@@ -95,10 +103,12 @@ pinned_folder() {
     if [ ! -x "$folder/bin/gradle" ]; then
         mkdir -p "$cache"
         fresh=$(mktemp -d "$cache/download.XXXXXX")
-        if ! download "$fresh/gradle.zip" || ! unpack "$fresh" || ! mv "$fresh/gradle-$pinned" "$folder"; then
+        if ! download "$fresh/gradle.zip" || ! unpack "$fresh"; then
             rm -rf "$fresh"
             return 1
         fi
+        # another gradlew may have been faster
+        [ -x "$folder/bin/gradle" ] || mv "$fresh/gradle-$pinned" "$folder"
         rm -rf "$fresh"
     fi
     echo "$folder"

@@ -21,7 +21,7 @@ import org.junit.rules.TemporaryFolder;
 /** Runs {@code gradlew} and {@code sofas} in a folder of their own, with a Gradle and a Java that only print. */
 public class StartScriptsTest {
     private static final List<String> TOOLS = List.of("sh", "awk", "cat", "chmod", "dirname", "env", "find", "grep",
-        "id", "mkdir", "mktemp", "mv", "readlink", "rm", "sed", "sha256sum", "touch", "unzip");
+        "id", "mkdir", "mktemp", "mv", "readlink", "rm", "sed", "sha256sum", "sleep", "touch", "unzip");
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -239,6 +239,52 @@ public class StartScriptsTest {
         assertEquals("sofas: building (the first time takes a minute)\ngradlew -q installDist\n",
             run("sofas", "run").err);
         assertEquals("", run("sofas", "run").err);
+    }
+
+    @Test
+    public void ofTwoThatFindNothingBuiltOneBuildsAndTheOtherWaits() throws Exception {
+        environment.put("SOFAS_JAVA", installJava("jdk-21", "21.0.2").toString());
+        script(project.resolve("gradlew"), "echo built >>\"" + root.resolve("builds") + "\"; sleep 2");
+        markBuilt();
+        Files.writeString(project.resolve("src/main/New.java"), "");
+        Result[] other = new Result[1];
+        Thread thread = new Thread(() -> {
+            try {
+                other[0] = run("sofas", "run");
+            } catch (Exception e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        thread.start();
+        Result result = run("sofas", "run");
+        thread.join();
+        assertEquals(List.of("built"), Files.readAllLines(root.resolve("builds")));
+        assertEquals(List.of(7, 7), List.of(result.code, other[0].code));
+        assertFalse("the lock is given back", Files.exists(project.resolve("build/install.lock")));
+    }
+
+    @Test
+    public void lockOfABuildThatWasKilledIsTakenOver() throws Exception {
+        environment.put("SOFAS_JAVA", installJava("jdk-21", "21.0.2").toString());
+        script(project.resolve("gradlew"), "true");
+        markBuilt();
+        Files.writeString(project.resolve("src/main/New.java"), "");
+        Files.createDirectories(project.resolve("build/install.lock"));
+        // no process has so great a number
+        Files.writeString(project.resolve("build/install.lock/process"), "99999999\n");
+        Result result = run("sofas", "run");
+        assertEquals("sofas: building (the first time takes a minute)\n", result.err);
+        assertEquals(7, result.code);
+    }
+
+    @Test
+    public void buildsInUtf8WhereTheLocaleIsPlainForFoldersOfAnyName() throws Exception {
+        environment.put("JAVA_HOME", installJava("jdk-17", "17.0.15").toString());
+        installGradleOnPath("8.5", "echo \"$LC_ALL\"");
+        environment.put("LC_ALL", "C");
+        assertEquals("C.UTF-8\n", run("gradlew", "compileJava").out);
+        environment.put("LC_ALL", "de_DE.UTF-8");
+        assertEquals("de_DE.UTF-8\n", run("gradlew", "compileJava").out);
     }
 
     @Test
