@@ -37,6 +37,9 @@ public final class PictureSheet {
     private static final int[] SPEEDS = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000,
         100_000};
 
+    /** What a picture's speeds count for after the next one. */
+    private static final double FADING = 0.95;
+
     private final SensorSize sensor;
     private final PictureOptions options;
     private final Theme theme;
@@ -70,6 +73,8 @@ public final class PictureSheet {
     private double fullPxPerS;
     /** How many pixels are as fast as each of {@link #SPEEDS}. */
     private final int[] speeds = new int[SPEEDS.length];
+    /** The same of the last pictures, each of which counts less than the one after it. */
+    private final double[] recentSpeeds = new double[SPEEDS.length];
     private final SeenSegments seen = new SeenSegments();
 
     private final Canvas canvas;
@@ -92,7 +97,7 @@ public final class PictureSheet {
         theme = options.theme();
         flowColours = new FlowColours(options.wheel(), theme);
         segmentColours = new SegmentColours(theme);
-        segmentNames = new SegmentNames(theme.sensor);
+        segmentNames = new SegmentNames(theme.sensor, theme.text);
         crop = options.crop() != null ? options.crop()
             : new PictureOptions.Crop(0, 0, sensor.width(), sensor.height());
         if (crop.width() < 1 || crop.height() < 1 || !sensor.contains(crop.x(), crop.y())
@@ -252,6 +257,15 @@ public final class PictureSheet {
         return canvas.image().getSubimage(left(k), top(k), panelWidth(), panelHeight());
     }
 
+    /**
+     * {@return what explains one panel, below it in the last picture; a part of that picture, not a copy}
+     *
+     * @param k place among the panels, from 0
+     */
+    public BufferedImage legend(int k) {
+        return canvas.image().getSubimage(left(k), top(k) + panelHeight(), panelWidth(), LEGEND);
+    }
+
     private boolean isExposed(int at, long timeUs) {
         return options.exposureUs() > 0 ? timeUs - seenUs[at] < options.exposureUs()
             : events - number[at] <= options.exposureEvents();
@@ -268,16 +282,21 @@ public final class PictureSheet {
             }
         }
         segmentColours.assign(seen);
-        int withFlow = 0;
-        for (int count : speeds) {
-            withFlow += count;
+        followSpeed();
+    }
+
+    /** Lets the full colour stand for the speed that nine tenths of the pixels do not pass, of the last pictures. */
+    private void followSpeed() {
+        double withFlow = 0;
+        for (int k = 0; k < speeds.length; k++) {
+            recentSpeeds[k] = FADING * recentSpeeds[k] + speeds[k];
+            withFlow += recentSpeeds[k];
         }
-        if (options.fullPxPerS() == 0 && withFlow > 100) {
-            // the step below which nine tenths of the pixels are
-            int below = 0;
+        if (options.fullPxPerS() == 0 && withFlow >= LEAST_PIXELS) {
+            double below = 0;
             int k = 0;
-            while (below + speeds[k] < 0.9 * withFlow) {
-                below += speeds[k++];
+            while (k < SPEEDS.length - 1 && below + recentSpeeds[k] < 0.9 * withFlow) {
+                below += recentSpeeds[k++];
             }
             fullPxPerS = Math.max(fullPxPerS, SPEEDS[k]);
         }
@@ -372,7 +391,7 @@ public final class PictureSheet {
                     seen.vx(i) * perPxPerS, seen.vy(i) * perPxPerS));
             }
         }
-        SegmentArrow.paint(canvas, panel, arrows, theme.sensor, segmentNames);
+        SegmentArrow.paint(canvas, panel, arrows, theme, segmentNames);
     }
 
     /** Length of the arrow of the full speed, in screen pixels. */

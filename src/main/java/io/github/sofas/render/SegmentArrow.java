@@ -13,8 +13,10 @@ import java.util.List;
  */
 final class SegmentArrow {
     static final double WIDTH = 2.5;
-    /** Of the ground's colour about an arrow. */
-    private static final double GROUND_WIDTH = 6;
+    /** Of the outline in the text's colour, without which an arrow is lost on events of its own colour. */
+    private static final double OUTLINE_WIDTH = 5;
+    /** Of the ground's colour about that. */
+    private static final double GROUND_WIDTH = 8;
     private static final int EDGE = 6;
     private static final int HEAD = 9;
     /** From the arrow's tail to the middle of the name. */
@@ -42,12 +44,13 @@ final class SegmentArrow {
     }
 
     /** Paints all of a panel; names of larger segments find their place first. */
-    static void paint(Canvas canvas, Rectangle panel, List<SegmentArrow> arrows, int ground, SegmentNames names) {
+    static void paint(Canvas canvas, Rectangle panel, List<SegmentArrow> arrows, Theme theme, SegmentNames names) {
         List<SegmentArrow> sorted = new ArrayList<>(arrows);
         sorted.sort(Comparator.comparingInt((SegmentArrow arrow) -> arrow.pixels).reversed());
         for (SegmentArrow each : sorted) {
             each.line = each.within(panel);
-            draw(canvas, panel, each.line, GROUND_WIDTH, ground);
+            draw(canvas, panel, each.line, GROUND_WIDTH, theme.sensor);
+            draw(canvas, panel, each.line, OUTLINE_WIDTH, theme.text);
             draw(canvas, panel, each.line, WIDTH, each.rgb);
         }
         List<Rectangle> taken = new ArrayList<>();

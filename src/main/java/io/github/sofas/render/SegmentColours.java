@@ -76,13 +76,15 @@ final class SegmentColours {
         }
     }
 
-    /** The colour that clashes least with those of the segments seen; the first of equals. */
+    /** The colour that clashes least with those of the segments seen; one that none of them has while there is one. */
     private int leastAlike(SeenSegments seen, int segment) {
         double[] clash = new double[colours.length];
+        boolean[] used = new boolean[colours.length];
         for (int i = 0; i < seen.size(); i++) {
             Integer place = placeById.get(seen.id(i));
             if (i != segment && place != null) {
                 double distance = NEAR_PX + Math.hypot(seen.x(i) - seen.x(segment), seen.y(i) - seen.y(segment));
+                used[place] = true;
                 for (int k = 0; k < colours.length; k++) {
                     clash[k] += likeness[place][k] / (distance * distance);
                 }
@@ -90,7 +92,7 @@ final class SegmentColours {
         }
         int least = 0;
         for (int k = 1; k < colours.length; k++) {
-            if (clash[k] < clash[least]) {
+            if (used[least] && !used[k] || used[least] == used[k] && clash[k] < clash[least]) {
                 least = k;
             }
         }

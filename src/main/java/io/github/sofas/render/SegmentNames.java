@@ -16,12 +16,12 @@ final class SegmentNames {
     private static final int PADDING = 4;
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 13);
     private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
-    /** Pixels about the letters. */
-    private static final int HALO = 2;
+    private static final int ROUND = 8;
     /** Most that are kept; those shown longest ago go first. */
     private static final int MOST = 256;
 
     private final int ground;
+    private final int outline;
     /** By id, and colour in the lowest 24 bits. */
     private final Map<Long, BufferedImage> drawn = new LinkedHashMap<>(16, 0.75f, true) {
         @Override
@@ -30,9 +30,10 @@ final class SegmentNames {
         }
     };
 
-    /** Makes names for pictures of a ground, as 0xRRGGBB. */
-    SegmentNames(int ground) {
+    /** Makes names for pictures of a ground, with an outline; both as 0xRRGGBB. */
+    SegmentNames(int ground, int outline) {
         this.ground = ground;
+        this.outline = outline;
     }
 
     /** The name of a segment in its colour, {@link #HEIGHT} high, without background. */
@@ -54,16 +55,13 @@ final class SegmentNames {
         g.setFont(FONT);
         // else hinting makes bold letters of this size as thin as others
         g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
-        // the ground's colour about the letters: a whole box would hide too much of the segment
-        g.setColor(new Color(ground));
-        for (int dy = -HALO; dy <= HALO; dy++) {
-            for (int dx = -HALO; dx <= HALO; dx++) {
-                if (dx * dx + dy * dy <= HALO * (HALO + 1)) {
-                    g.drawString(text, PADDING + dx, BASELINE + dy);
-                }
-            }
-        }
+        // on events of its own colour a name in that colour alone is lost: it is the ground of the letters
+        g.setColor(new Color(outline));
+        g.fillRoundRect(0, 0, image.getWidth(), HEIGHT, ROUND, ROUND);
         g.setColor(new Color(rgb));
+        g.fillRoundRect(1, 1, image.getWidth() - 2, HEIGHT - 2, ROUND - 2, ROUND - 2);
+        boolean isBright = SegmentColours.difference(rgb, ground) > SegmentColours.difference(rgb, outline);
+        g.setColor(new Color(isBright ? ground : outline));
         g.drawString(text, PADDING, BASELINE);
         g.dispose();
         return image;

@@ -3,6 +3,7 @@ package io.github.sofas.render;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.GreyFrame;
@@ -77,6 +78,68 @@ public class PictureSheetTest {
     public void flowHasTheColourOfItsVelocity() {
         BufferedImage picture = withEvent(options(Panel.FLOW), 1, 0, -50, 3).paint(6_000, 0, null);
         assertEquals(FLOW.rgb(0, -50, 100), rgb(picture, 48, 104));
+    }
+
+    /** Twenty events with flow at 300 px/s in each picture: fewer than ever gave a scale before. */
+    @Test
+    public void fullColourFollowsTheSpeedOfFewEvents() {
+        PictureSheet sheet = new PictureSheet(SENSOR, new PictureOptions(List.of(Panel.FLOW), Theme.DARK,
+            FlowColours.Wheel.SAFE, 4, 10_000, 0, 0, null));
+        EventBatch some = new EventBatch(20);
+        FlowOutput flow = new FlowOutput(20);
+        for (int i = 0; i < 20; i++) {
+            some.add(5_000, i, 20, 1);
+            flow.segment[i] = 1;
+            flow.vxPxPerS[i] = 300;
+        }
+        sheet.add(some, flow, 0, 20);
+        assertEquals(FLOW.rgb(300, 0, 500), rgb(sheet.paint(6_000, 0, null), 8 + 2, 24 + 20 * 4 + 2));
+    }
+
+    @Test
+    public void fullColourFollowsTheSpeedOfOneEventAPictureInTime() {
+        PictureSheet sheet = new PictureSheet(SENSOR, new PictureOptions(List.of(Panel.FLOW), Theme.DARK,
+            FlowColours.Wheel.SAFE, 4, 10_000, 0, 0, null));
+        EventBatch one = new EventBatch(1);
+        FlowOutput flow = new FlowOutput(1);
+        flow.segment[0] = 1;
+        flow.vxPxPerS[0] = 90;
+        BufferedImage picture = null;
+        for (int k = 0; k < 30; k++) {
+            one.clear();
+            one.add(10_000L * k, 5, 20, 1);
+            sheet.add(one, flow, 0, 1);
+            picture = sheet.paint(10_000L * k + 1, 0, null);
+        }
+        // 1 + 0.95 + 0.95² + ... passes 12 with the 18th picture
+        assertEquals(FLOW.rgb(90, 0, 100), rgb(picture, 8 + 5 * 4, 24 + 20 * 4));
+    }
+
+    /** A panel full of one segment: its name and its arrow are of another colour than all about them. */
+    @Test
+    public void nameAndArrowAreSeenOnEventsOfTheirOwnColour() {
+        PictureSheet sheet = new PictureSheet(SENSOR, options(Panel.SEGMENTS));
+        sheet.colour(7, 5);
+        EventBatch all = new EventBatch(40 * 30);
+        FlowOutput flow = new FlowOutput(40 * 30);
+        for (int i = 0; i < 40 * 30; i++) {
+            all.add(5_000, i % 40, i / 40, 1);
+            flow.segment[i] = 7;
+            flow.vxPxPerS[i] = 100;
+        }
+        sheet.add(all, flow, 0, all.size());
+        BufferedImage panel = sheet.paint(6_000, 0, null).getSubimage(8, 24, 160, 120);
+        // place 5 of the dark theme is white, as good as the text: black must part them
+        int white = Theme.DARK.segmentColour(5);
+        int black = 0;
+        for (int x = 0; x < 160; x++) {
+            for (int y = 0; y < 120; y++) {
+                int rgb = rgb(panel, x, y);
+                black += rgb == Theme.DARK.sensor ? 1 : 0;
+            }
+        }
+        assertEquals(0xFFFFFF, white);
+        assertTrue(black + " pixels of the ground's colour", black > 50);
     }
 
     @Test

@@ -16,7 +16,7 @@ public class SegmentArrowTest {
 
     private static BufferedImage paint(SegmentArrow... arrows) {
         Canvas canvas = new Canvas(304, 256);
-        SegmentArrow.paint(canvas, PANEL, List.of(arrows), 0x000000, new SegmentNames(0x000000));
+        SegmentArrow.paint(canvas, PANEL, List.of(arrows), Theme.DARK, new SegmentNames(0x000000, 0xE6E8EA));
         return canvas.image();
     }
 

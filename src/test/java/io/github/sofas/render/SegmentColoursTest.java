@@ -21,14 +21,14 @@ public class SegmentColoursTest {
             SegmentColours colours = new SegmentColours(theme);
             seen.clear();
             Set<Integer> rgb = new HashSet<>();
-            for (int id = 1; id <= 12; id++) {
-                see(id * 12, 20 * id, 90);
+            for (int id = 1; id <= 24; id++) {
+                see(id * 12, 10 * id, 90);
             }
             colours.assign(seen);
-            for (int id = 1; id <= 12; id++) {
+            for (int id = 1; id <= 24; id++) {
                 rgb.add(colours.rgb(id * 12));
             }
-            assertEquals(theme.toString(), 12, rgb.size());
+            assertEquals(theme.toString(), 24, rgb.size());
         }
     }
 
