@@ -114,8 +114,8 @@ final class LiveStatus {
     private void appendSegments(StringBuilder line) {
         StringBuilder velocities = new StringBuilder();
         segments.stream().sorted(Comparator.comparingLong(Segment::events).reversed()).limit(SEGMENTS_SHOWN)
-            .forEach(segment -> velocities.append(String.format(Locale.ROOT, " #%d (%.0f, %.0f)", segment.id(),
-                segment.vxPxPerS(), segment.vyPxPerS())));
+            .forEach(segment -> velocities.append(String.format(Locale.ROOT, " #%d (%d, %d)", segment.id(),
+                Math.round(segment.vxPxPerS()), Math.round(segment.vyPxPerS()))));
         if (velocities.length() > 0) {
             velocities.append(segments.size() > SEGMENTS_SHOWN ? " ... px/s" : " px/s");
             boolean fits = line.length() + 1 + velocities.length() < columns;

@@ -26,6 +26,12 @@ final class DirectionPlot {
         return all == 0;
     }
 
+    /** The angle from right to down, as y runs in all result files, -180 to 180. */
+    private static double downwardsDeg(double upwards) {
+        double turned = -Math.toDegrees(upwards);
+        return turned <= -180 ? turned + 360 : turned + 0.0;
+    }
+
     DomContent svg() {
         ContainerTag<?> drawing = Svg.drawing("polar", "-130 -120 260 240", "directions of flow")
             .with(tag("circle").attr("r", "100"), tag("circle").attr("r", "50"));
@@ -35,7 +41,7 @@ final class DirectionPlot {
             double at = 2 * d * half;
             drawing.with(Svg.path("", String.format(Locale.ROOT, "M0 0L%.2f %.2fL%.2f %.2fZ", r * Math.cos(at - half),
                 -r * Math.sin(at - half), r * Math.cos(at + half), -r * Math.sin(at + half)),
-                String.format(Locale.ROOT, "%.0f°: %.1f %%", Math.toDegrees(at), 100.0 * counts[d] / all)));
+                String.format(Locale.ROOT, "%.0f°: %.1f %%", downwardsDeg(at), 100.0 * counts[d] / all)));
         }
         return drawing.with(Svg.text(104, 4, "", "right"), Svg.text(0, -105, "middle", "up"),
             Svg.text(-104, 4, "end", "left"), Svg.text(0, 115, "middle", "down"),

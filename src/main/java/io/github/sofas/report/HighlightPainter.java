@@ -67,6 +67,17 @@ final class HighlightPainter {
         return thumbnails;
     }
 
+    /** {@link PictureSheet#legend} of both panels, as PNG. */
+    List<byte[]> legends() throws IOException {
+        List<byte[]> legends = new ArrayList<>();
+        for (int k = 0; k < 2; k++) {
+            ByteArrayOutputStream png = new ByteArrayOutputStream();
+            ImageIO.write(sheet.legend(k), "png", png);
+            legends.add(png.toByteArray());
+        }
+        return legends;
+    }
+
     private boolean isDue(long timeUs) {
         return !steps.isEmpty() && timeUs - firstUs >= endUs(steps.firstKey());
     }

@@ -131,13 +131,16 @@ public final class ReportCollector {
         Path clip = Files.createTempFile("sofas-clip", ".mp4");
         try {
             List<HighlightPainter.Thumbnail> thumbnails = List.of();
+            List<byte[]> legends = List.of();
             if (begun) {
                 try (FlowCsvReader events = FlowCsvReader.open(flow)) {
-                    thumbnails = new HighlightPainter(sheet, highlights, firstUs).paint(events, clip);
+                    HighlightPainter painter = new HighlightPainter(sheet, highlights, firstUs);
+                    thumbnails = painter.paint(events, clip);
+                    legends = painter.legends();
                 }
             }
             Sharpness measured = sharpness.sharpness();
-            new ReportPage(summary, command, bins, longest, directions, highlights, thumbnails,
+            new ReportPage(summary, command, bins, longest, directions, highlights, thumbnails, legends,
                 SharpnessPart.of(sensor, measured, sharpness.fullest(), firstUs), clip).write(out);
         } catch (EventSourceException e) {
             throw new IOException(e.getMessage(), e);

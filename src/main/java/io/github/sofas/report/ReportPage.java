@@ -25,8 +25,11 @@ import static j2html.TagCreator.span;
 import static j2html.TagCreator.style;
 import static j2html.TagCreator.summary;
 import static j2html.TagCreator.table;
+import static j2html.TagCreator.tbody;
 import static j2html.TagCreator.td;
 import static j2html.TagCreator.text;
+import static j2html.TagCreator.th;
+import static j2html.TagCreator.thead;
 import static j2html.TagCreator.title;
 import static j2html.TagCreator.tr;
 import static j2html.TagCreator.video;
@@ -66,13 +69,14 @@ final class ReportPage {
     private final long[] directions;
     private final Highlights highlights;
     private final List<HighlightPainter.Thumbnail> thumbnails;
+    private final List<byte[]> legends;
     private final List<DomContent> sharpness;
     private final Path clip;
     private final double durationS;
 
     ReportPage(RunSummary summary, String command, TimeBins bins, List<SegmentCurve> curves, long[] directions,
-               Highlights highlights, List<HighlightPainter.Thumbnail> thumbnails, List<DomContent> sharpness,
-               Path clip) {
+               Highlights highlights, List<HighlightPainter.Thumbnail> thumbnails, List<byte[]> legends,
+               List<DomContent> sharpness, Path clip) {
         this.summary = summary;
         this.command = command;
         this.bins = bins;
@@ -80,6 +84,7 @@ final class ReportPage {
         this.directions = directions;
         this.highlights = highlights;
         this.thumbnails = thumbnails;
+        this.legends = legends;
         this.sharpness = sharpness;
         this.clip = clip;
         durationS = Math.max(bins.widthS(), bins.used() * bins.widthS());
@@ -141,8 +146,8 @@ final class ReportPage {
             css.append(theme == Theme.DARK ? " } }\n" : " }\n");
         }
         for (int k = 0; k < CURVES; k++) {
-            css.append(String.format(".line.c%1$d { stroke: var(--c%1$d); } .life.c%1$d, .said.c%1$d { fill: "
-                + "var(--c%1$d); } .key.c%1$d { border-color: var(--c%1$d); }%n", k));
+            css.append(String.format(Locale.ROOT, ".line.c%1$d { stroke: var(--c%1$d); } .life.c%1$d, .said.c%1$d { "
+                + "fill: var(--c%1$d); } .key.c%1$d { border-color: var(--c%1$d); }%n", k));
         }
         return css.toString();
     }
@@ -165,6 +170,7 @@ final class ReportPage {
         if (!summary.recording().complete()) {
             parts.add(p("The recording is damaged: the page shows what came before.").withClass("bad"));
         }
+        summary.recording().notes().forEach(note -> parts.add(p(note).withClass("note")));
         summary.recording().faults().forEach(fault -> parts.add(p(fault).withClass("bad")));
         return parts;
     }
@@ -181,13 +187,27 @@ final class ReportPage {
         return List.of(h2("What moves"), p(when + ", in real time. Left: the colour is the direction of the flow. "
             + "Right: one colour and number per moving structure; arrows are velocities."),
             video().withCondControls(true).withCondLoop(true).withCondMuted(true).attr("playsinline")
-                .withSrc("data:video/mp4;base64," + FILM));
+                .attr("poster", png(poster())).withSrc("data:video/mp4;base64," + FILM),
+            // the controls of the clip lie over the legends in its pictures
+            div(img().withAlt("Colours of directions: the wheel shows where each colour moves; grey: no flow")
+                    .withSrc(png(legends.get(0))),
+                img().withAlt("A colour and a number: one moving structure; the bar is an arrow of the full speed")
+                    .withSrc(png(legends.get(1)))).withClass("legends"));
+    }
+
+    /** What is seen before the clip plays, which begins with an empty picture: its busiest moment. */
+    private byte[] poster() {
+        return thumbnails.stream().max(Comparator.comparingLong(each -> each.moment().events())).orElseThrow().png();
+    }
+
+    private static String png(byte[] bytes) {
+        return "data:image/png;base64," + Base64.getEncoder().encodeToString(bytes);
     }
 
     private List<DomContent> busiest() {
         return List.of(h2("Busiest moments"), div(each(thumbnails, each -> figure(
             img().withAlt("flow and segments")
-                .withSrc("data:image/png;base64," + Base64.getEncoder().encodeToString(each.png())),
+                .withSrc(png(each.png())),
             figcaption(String.format(Locale.ROOT, "%.3f s: %,d events in %d ms",
                 each.moment().step() * Highlights.STEP_US * 1e-6, each.moment().events(),
                 Highlights.STEP_US / 1000))))).withClass("grid"));
@@ -218,7 +238,7 @@ final class ReportPage {
             }
         }
         TimePlot speed = plot("Speed", 0, most, "px/s");
-        TimePlot direction = plot("Direction: 0 right, 90 up, ±180 left", -TimePlot.HALF_TURN, TimePlot.HALF_TURN,
+        TimePlot direction = plot("Direction: 0 right, 90 down, ±180 left", -TimePlot.HALF_TURN, TimePlot.HALF_TURN,
             "°");
         for (int k = 0; k < drawn.size(); k++) {
             SegmentCurve curve = drawn.get(k);
@@ -251,13 +271,37 @@ final class ReportPage {
                 place = coloured.get(k).id == segment.id() ? k : place;
             }
             lines.add(segment.id(), fromS, toS, place < 0 ? "other" : "c" + place, String.format(Locale.ROOT,
-                "segment %d: %.3f to %.3f s, %,d events, (%.0f, %.0f) px/s, %s", segment.id(), fromS, toS,
-                segment.events(), segment.vxPxPerS(), segment.vyPxPerS(), segment.fate() == Segment.Fate.MERGED
-                    ? "merged into " + segment.mergedInto() : segment.fate().name().toLowerCase(Locale.ROOT)));
+                "segment %d: %.3f to %.3f s, %,d events, (%s, %s) px/s, %s", segment.id(), fromS, toS,
+                segment.events(), velocity(segment.vxPxPerS()), velocity(segment.vyPxPerS()), fate(segment)));
         }
         int all = summary.segments().size();
         return List.of(h3("Life lines"),
-            text(all > LINES ? "The " + LINES + " with the most events of " + all + "." : ""), lines.svg());
+            text(all > LINES ? "The " + LINES + " with the most events of " + all + "." : ""), lines.svg(),
+            h3("Table"), div(tableOf(shown)).withClass("scroll"));
+    }
+
+    /** What the segments file says of the segments. */
+    private DomContent tableOf(List<Segment> shown) {
+        return table(thead(tr(each(List.of("segment", "from, s", "to, s", "events", "right, px/s", "down, px/s",
+            "became"), name -> th(name)))), tbody(each(shown, segment -> tr(td(Integer.toString(segment.id())),
+            td(seconds(segment.firstTimeUs())), td(seconds(segment.lastTimeUs())),
+            td(String.format(Locale.ROOT, "%,d", segment.events())), td(velocity(segment.vxPxPerS())),
+            td(velocity(segment.vyPxPerS())), td(fate(segment))))))
+            .withClass("figures-table");
+    }
+
+    private static String fate(Segment segment) {
+        return segment.fate() == Segment.Fate.MERGED ? "merged into " + segment.mergedInto()
+            : segment.fate().name().toLowerCase(Locale.ROOT);
+    }
+
+    private String seconds(long timeUs) {
+        return String.format(Locale.ROOT, "%.3f", (timeUs - summary.recording().firstTimeUs()) * 1e-6);
+    }
+
+    /** Rounded, and never "-0". */
+    private static String velocity(double pxPerS) {
+        return Long.toString(Math.round(pxPerS));
     }
 
     private List<DomContent> where() {

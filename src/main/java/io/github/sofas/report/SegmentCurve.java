@@ -79,8 +79,8 @@ final class SegmentCurve {
         return events[i] == 0 ? Double.NaN : Math.hypot(vx[i], vy[i]) / events[i];
     }
 
-    /** Direction in degrees, from right (0) to up (90): as people read angles. */
+    /** Direction in degrees, from right (0) to down (90): y runs down, as in all result files. */
     double directionDeg(int i) {
-        return events[i] == 0 ? Double.NaN : Math.toDegrees(Math.atan2(-vy[i], vx[i]));
+        return events[i] == 0 ? Double.NaN : Math.toDegrees(Math.atan2(vy[i], vx[i]));
     }
 }

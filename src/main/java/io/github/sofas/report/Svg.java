@@ -39,13 +39,39 @@ final class Svg {
         return LEFT + (WIDTH - LEFT) * Math.max(0, Math.min(1, s / durationS));
     }
 
-    /** Adds the labels of an axis of time below a height. */
+    /** Adds the labels of an axis of time below a height, at round times. */
     static void addTimeAxis(ContainerTag<?> drawing, double durationS, int y) {
-        for (int i = 0; i <= 4; i++) {
-            double s = durationS * i / 4;
-            drawing.with(text(x(s, durationS), y + 18, i == 0 ? "" : i == 4 ? "end" : "middle",
-                String.format(Locale.ROOT, "%.2f%s", s, i == 4 ? " s" : "")));
+        double step = roundStep(durationS);
+        // the last one has the unit, and room for it
+        int last = (int) Math.floor(durationS / step + 1e-9);
+        for (int i = 0; i <= last; i++) {
+            double s = i * step;
+            boolean isAtEnd = x(s, durationS) > WIDTH - LEFT / 2.0;
+            drawing.with(text(x(s, durationS), y + 18, i == 0 ? "" : isAtEnd ? "end" : "middle",
+                label(s, step) + (i == last ? " s" : "")));
         }
+    }
+
+    /** The step of an axis with three to six labels, that people count in: 1, 2 or 5 of a power of ten. */
+    static double roundStep(double range) {
+        double power = Math.pow(10, Math.floor(Math.log10(range / 3)));
+        for (int factor : new int[] {5, 2}) {
+            if (range / (factor * power) >= 3) {
+                return factor * power;
+            }
+        }
+        return power;
+    }
+
+    /** A multiple of a step, with the digits that tell it from the next one. */
+    static String label(double value, double step) {
+        if (value == 0) {
+            return "0";
+        }
+        boolean isLarge = step >= 1000;
+        double shown = isLarge ? value / 1000 : value;
+        int decimals = (int) Math.max(0, Math.ceil(-Math.log10(isLarge ? step / 1000 : step) - 1e-9));
+        return String.format(Locale.ROOT, "%." + decimals + "f%s", shown, isLarge ? "k" : "");
     }
 
     /** A coordinate to a tenth. */

@@ -28,29 +28,26 @@ final class TimePlot {
      *
      * @param stepS time between two values of a curve
      * @param low lower end of its axis
+     * @param high greatest value; the axis ends at the next round one
      */
     TimePlot(String title, double durationS, double stepS, double low, double high, String unit) {
         caption = title + ", " + unit;
         this.durationS = durationS;
         this.stepS = stepS;
         this.low = low;
-        this.high = high;
+        // directions have quarters of a turn, all others round numbers up to the first above the greatest value
+        double step = low == -HALF_TURN ? HALF_TURN / 2.0 : Svg.roundStep(high > low ? high - low : 1);
+        int steps = (int) Math.max(1, Math.ceil((high - low) / step - 1e-9));
+        this.high = low + steps * step;
         drawing = Svg.drawing("plot", "0 0 " + Svg.WIDTH + " " + HEIGHT, title)
-            .attr("data-to", durationS).attr("data-low", low).attr("data-high", high).attr("data-unit", unit);
-        for (int i = 0; i <= 4; i++) {
-            double value = low + (high - low) * i / 4;
+            .attr("data-to", durationS).attr("data-low", low).attr("data-high", this.high).attr("data-unit", unit);
+        for (int i = 0; i <= steps; i++) {
+            double value = low + i * step;
             drawing.with(tag("path").attr("class", "rule")
                 .attr("d", "M" + Svg.LEFT + " " + Svg.number(y(value)) + "H" + Svg.WIDTH),
-                Svg.text(Svg.LEFT - 6, y(value) + 4, "end", label(value)));
+                Svg.text(Svg.LEFT - 6, y(value) + 4, "end", Svg.label(value, step)));
         }
         Svg.addTimeAxis(drawing, durationS, HEIGHT - Svg.BOTTOM);
-    }
-
-    private static String label(double value) {
-        double magnitude = Math.abs(value);
-        return magnitude >= 10_000 ? String.format(Locale.ROOT, "%.0fk", value / 1000)
-            : magnitude >= 10 || value == 0 ? String.format(Locale.ROOT, "%.0f", value)
-            : String.format(Locale.ROOT, "%.1f", value);
     }
 
     /** Adds a curve of values from a step on; NaN is a gap. */

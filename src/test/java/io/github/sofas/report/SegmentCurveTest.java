@@ -14,7 +14,7 @@ public class SegmentCurveTest {
         assertEquals(3, curve.used());
         assertEquals("mean (45, 60)", 75, curve.speed(0), 1e-9);
         assertEquals(Double.NaN, curve.speed(1), 0);
-        assertEquals("up", 90, curve.directionDeg(2), 1e-9);
+        assertEquals("up, where y runs down", -90, curve.directionDeg(2), 1e-9);
     }
 
     @Test
