@@ -18,6 +18,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -31,8 +32,8 @@ import picocli.CommandLine.Spec;
 @Command(name = "evaluate", sortOptions = false,
     customSynopsis = "sofas evaluate [OPTION]... [--truth FILE] RECORDING",
     description = {"Compare flow and segments of a recording with the truth of each event.",
-        "The truth is a CSV file with the columns " + TruthCsvReader.HEADER + ", one line per event of the recording; "
-        + "object 0 is noise. The figures are printed; --json and --csv write them to files.",
+        "The truth is a CSV file with the columns " + TruthCsvReader.HEADER + " in any order, a line for each event "
+        + "whose truth is known; object 0 is noise. The figures are printed; --json and --csv write them to files.",
         "Without a truth, measure how much sharper the flow makes the picture: variance of the events moved along "
         + "their flow over variance of the events as they are, compared with the best single translation of each "
         + "window. A gain of 1 is as good as that translation; below 0 the flow blurs the picture."},
@@ -48,6 +49,11 @@ final class EvaluateCommand implements Callable<Integer> {
     @Option(names = "--truth", paramLabel = "FILE",
         description = "CSV file with the truth of its events; without it, sharpness is measured.")
     private Path truth;
+
+    @Option(names = "--results", paramLabel = "FILE",
+        description = "Evaluate flow and segments that exist, a NAME.flow.csv of this or another program, instead of "
+            + "labelling the events.")
+    private Path results;
 
     @Option(names = "--skip-first-share", paramLabel = "SHARE",
         description = "With --truth: share of the recording's time that is left out at its beginning, 0 to below 1; "
@@ -76,11 +82,17 @@ final class EvaluateCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         PrintWriter err = spec.commandLine().getErr();
-        MethodChoice method = methodOptions.choice(parameterOptions);
+        if (results != null) {
+            methodOptions.refuseLabelling("--results");
+        }
+        MethodChoice asked = methodOptions.choice(parameterOptions);
         EvaluationOptions options = options();
         Path recording = recording();
         checkFiles(recording);
-        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
+        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions());
+                ResultLabels labels = results == null ? null : ResultLabels.open(results)) {
+            MethodChoice method = labels == null ? asked
+                : new MethodChoice(results.toString(), "", Map.of(), (sensor, ended) -> labels);
             EventSourceException damage = truth == null ? measure(recording, reader, method)
                 : holdAgainstTruth(recording, reader, method, options);
             reader.notes().forEach(err::println);
@@ -93,7 +105,7 @@ final class EvaluateCommand implements Callable<Integer> {
                 err.println(doubt);
             }
             return damage == null && doubt == null ? Main.OK : Main.FAILED;
-        } catch (EventSourceException | TruthException e) {
+        } catch (EventSourceException | TruthException | ResultLabels.MismatchException e) {
             err.println(e.getMessage());
         } catch (IOException e) {
             err.println((truth == null ? "" : "[" + truth.getFileName() + "] truth cannot be read or ")
@@ -157,12 +169,14 @@ final class EvaluateCommand implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
-        if (truth != null && !Files.exists(truth)) {
-            throw usage("[" + truth + "] no such file");
+        for (Path file : Arrays.asList(truth, results)) {
+            if (file != null && !Files.exists(file)) {
+                throw usage("[" + file + "] no such file");
+            }
         }
         OutputFiles outputs = new OutputFiles(spec.commandLine());
         List<Path> files = Arrays.asList(json, csv);
-        outputs.check(Arrays.asList(recording, truth, parameterOptions.config()), files);
+        outputs.check(Arrays.asList(recording, truth, results, parameterOptions.config()), files);
         if (!force) {
             outputs.refuseExisting(files);
         }

@@ -65,7 +65,9 @@ public record EvaluationReport(String version, String recording, String truth, S
     public String text() {
         Evaluation evaluation = run.evaluation();
         StringBuilder text = new StringBuilder();
-        text.append(recording).append(": ").append(evaluation.events()).append(" events, ")
+        text.append(recording).append(": ").append(evaluation.events())
+                .append(run.labelled() == evaluation.events() ? "" : " of " + run.labelled())
+                .append(" events").append(run.labelled() == evaluation.events() ? ", " : " have a truth, ")
                 .append(evaluation.eventsCounted()).append(" counted (without the first ")
                 .append(NamedFigures.text(100 * evaluation.options().skipFirstShare(), 1)).append(" % of the time)\n")
                 .append(method).append(": ")

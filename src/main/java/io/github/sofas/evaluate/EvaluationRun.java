@@ -13,8 +13,10 @@ import java.io.IOException;
  * @param evaluation the figures; of the events before the damage where there is any
  * @param damage why the recording could not be read to its end; null where it was
  * @param methodSeconds time that the method took
+ * @param labelled events that it labelled; more than the evaluation has where the truth is of a part of them
  */
-public record EvaluationRun(Evaluation evaluation, EventSourceException damage, double methodSeconds) {
+public record EvaluationRun(Evaluation evaluation, EventSourceException damage, double methodSeconds,
+                            long labelled) {
     private static final int BATCH = 4096;
 
     /**
@@ -34,14 +36,17 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         FlowOutput output = new FlowOutput(BATCH);
         FlowEstimate estimate = new FlowEstimate();
         EventSourceException damage = null;
+        boolean[] known = new boolean[BATCH];
+        long events = 0;
         long methodNs = 0;
         try {
             while (source.next(batch)) {
-                truth.read(batch);
+                truth.read(batch, known);
+                events += batch.size();
                 long start = System.nanoTime();
                 method.process(batch, output);
                 methodNs += System.nanoTime() - start;
-                estimate.append(output, batch.size());
+                estimate.append(output, keep(output, known, batch.size()));
             }
         } catch (EventSourceException e) {
             damage = e;
@@ -50,11 +55,25 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         if (damage == null) {
             truth.end();
         }
-        return new EvaluationRun(Evaluation.of(truth.truth(), estimate, options), damage, methodNs * 1e-9);
+        return new EvaluationRun(Evaluation.of(truth.truth(), estimate, options), damage, methodNs * 1e-9, events);
+    }
+
+    /** Moves the labels of the events whose truth is known to the front, and returns how many there are. */
+    private static int keep(FlowOutput output, boolean[] known, int count) {
+        int kept = 0;
+        for (int i = 0; i < count; i++) {
+            if (known[i]) {
+                output.vxPxPerS[kept] = output.vxPxPerS[i];
+                output.vyPxPerS[kept] = output.vyPxPerS[i];
+                output.segment[kept] = output.segment[i];
+                kept++;
+            }
+        }
+        return kept;
     }
 
     /** {@return events per second of the method's own time; 0 where none passed} */
     public double eventsPerSecond() {
-        return methodSeconds > 0 ? evaluation.events() / methodSeconds : 0;
+        return methodSeconds > 0 ? labelled / methodSeconds : 0;
     }
 }

@@ -11,8 +11,9 @@ import java.util.Arrays;
 /**
  * Reads truth from a CSV file beside its recording and holds each line against the event that it belongs to.
  *
- * <p>The first line is {@value #HEADER}; then comes one line for every event of the recording, in order. Polarity is 1
- * or -1, object 0 for noise. The two velocities of noise may be empty.
+ * <p>The first line names the columns {@value #HEADER}, in any order and among others; then comes a line for each event
+ * of the recording whose truth is known, in order. Polarity is 1 or -1, object 0 for noise. The two velocities of noise
+ * may be empty.
  */
 public final class TruthCsvReader implements Closeable {
     private static final String ID_COLUMN = "object";
@@ -26,6 +27,10 @@ public final class TruthCsvReader implements Closeable {
     private float[] vyPxPerS = new float[1024];
     private int[] object = new int[1024];
     private int size;
+    private long events;
+    /** Whether the row read last has not met its event, and what is to be said if it never does. */
+    private boolean isWaiting;
+    private String expected = "";
 
     private TruthCsvReader(EventCsvReader rows) {
         this.rows = rows;
@@ -51,29 +56,58 @@ public final class TruthCsvReader implements Closeable {
      * Reads the lines of the next events of the recording.
      *
      * @param batch the events whose truth comes next in the file
-     * @throws TruthException where a line is missing, malformed or of another event
+     * @param known becomes true for each event that the file has the truth of, false for the others
+     * @throws TruthException where a line is malformed or of another recording
      * @throws IOException where the file cannot be read
      */
-    public void read(EventBatch batch) throws TruthException, IOException {
+    public void read(EventBatch batch, boolean[] known) throws TruthException, IOException {
         makeRoom(batch.size());
         try {
             for (int i = 0; i < batch.size(); i++) {
-                readRow(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
+                known[i] = readRow(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
+                events++;
             }
         } catch (EventSourceException e) {
             throw new TruthException(e.getMessage());
         }
     }
 
-    private void readRow(long time, int x, int y, int polarity) throws EventSourceException, IOException {
-        if (!rows.next()) {
-            throw rows.wrong("must be event " + size + " of the recording (" + event(time, x, y, polarity)
-                + ") but the file ends");
+    /**
+     * Reads the lines of the next events of the recording, each of which must have one.
+     *
+     * @param batch the events whose truth comes next in the file
+     * @throws TruthException where a line is missing, malformed or of another recording
+     * @throws IOException where the file cannot be read
+     */
+    public void read(EventBatch batch) throws TruthException, IOException {
+        boolean[] known = new boolean[batch.size()];
+        read(batch, known);
+        for (int i = 0; i < known.length; i++) {
+            if (!known[i]) {
+                throw new TruthException(rows.wrong("must be event " + (events - known.length + i)
+                    + " of the recording (" + event(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i])
+                    + ") but that has no line").getMessage());
+            }
+        }
+    }
+
+    /** Takes the row of an event; false where the file has none. */
+    private boolean readRow(long time, int x, int y, int polarity) throws EventSourceException, IOException {
+        if (!isWaiting) {
+            isWaiting = rows.next();
+            expected = isWaiting ? "must be event " + events + " of the recording ("
+                + event(time, x, y, polarity) + ") or one after it but was (" : "";
+        }
+        if (!isWaiting) {
+            return false;
         }
         if (rows.timeUs() != time || rows.x() != x || rows.y() != y || rows.polarity() != polarity) {
-            throw rows.wrong("must be event " + size + " of the recording (" + event(time, x, y, polarity)
-                + ") but was (" + event(rows.timeUs(), rows.x(), rows.y(), rows.polarity()) + ")");
+            if (rows.timeUs() < time) {
+                throw notMet();
+            }
+            return false;
         }
+        isWaiting = false;
         if (rows.id() != GroundTruth.NOISE) {
             rows.requireVelocity();
         }
@@ -82,6 +116,11 @@ public final class TruthCsvReader implements Closeable {
         vyPxPerS[size] = rows.vyPxPerS();
         object[size] = rows.id();
         size++;
+        return true;
+    }
+
+    private EventSourceException notMet() {
+        return rows.wrong(expected + event(rows.timeUs(), rows.x(), rows.y(), rows.polarity()) + ")");
     }
 
     /**
@@ -92,8 +131,11 @@ public final class TruthCsvReader implements Closeable {
      */
     public void end() throws TruthException, IOException {
         try {
+            if (isWaiting) {
+                throw notMet();
+            }
             if (rows.next()) {
-                throw rows.wrong("must not be there, as the recording has " + size + " events, but was "
+                throw rows.wrong("must not be there, as the recording has " + events + " events, but was "
                     + rows.quotedLine());
             }
         } catch (EventSourceException e) {

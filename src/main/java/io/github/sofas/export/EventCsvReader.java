@@ -7,6 +7,8 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
 
 /**
  * Reads the lines that files of flow and of truth have in common: an event, its velocity, and whose it is, as a number
@@ -49,7 +51,10 @@ public final class EventCsvReader implements Closeable {
     private int start;
     private int end;
     private boolean ended;
-    private final int[] from = new int[ID + 2];
+    private int[] from = new int[ID + 2];
+    /** Which field of the line each column is. */
+    private final int[] field = {TIME, X, Y, POLARITY, VX, VY, ID};
+    private int fields = ID + 1;
 
     private long timeUs;
     private int x;
@@ -67,19 +72,19 @@ public final class EventCsvReader implements Closeable {
     }
 
     /**
-     * Opens a file and checks its first line.
+     * Opens a file and finds its columns by its first line: in any order, and among others.
      *
      * @param file the file
      * @param idColumn name of the last column
      * @return the reader
-     * @throws EventSourceException where that line is another
+     * @throws EventSourceException where one is missing
      * @throws IOException where it cannot be read
      */
     public static EventCsvReader open(Path file, String idColumn) throws EventSourceException, IOException {
         EventCsvReader reader = new EventCsvReader(file, idColumn, Files.newInputStream(file));
         try {
             boolean empty = !reader.readLine();
-            if (empty || !reader.header.equals(reader.text(reader.start, reader.end))) {
+            if (empty || !reader.findColumns(reader.text(reader.start, reader.end))) {
                 throw reader.wrong("must be \"" + reader.header + "\" but "
                     + (empty ? "the file is empty" : "was " + reader.quotedLine()));
             }
@@ -88,6 +93,20 @@ public final class EventCsvReader implements Closeable {
             reader.close();
             throw e;
         }
+    }
+
+    /** Finds the columns in a first line, in any order and among others; false where one is missing. */
+    private boolean findColumns(String first) {
+        List<String> names = Arrays.asList(first.split(",", -1));
+        for (int column = 0; column < columns.length; column++) {
+            field[column] = names.indexOf(columns[column]);
+            if (field[column] < 0) {
+                return false;
+            }
+        }
+        fields = names.size();
+        from = new int[fields + 1];
+        return true;
     }
 
     /**
@@ -236,26 +255,35 @@ public final class EventCsvReader implements Closeable {
         from[count++] = start;
         for (int i = start; i < end; i++) {
             if (buffer[i] == ',') {
-                if (count > ID) {
+                if (count == fields) {
                     count++;
                     break;
                 }
                 from[count++] = i + 1;
             }
         }
-        if (count != columns.length) {
-            throw wrong("must have " + columns.length + " fields, " + header + ", but was " + quotedLine());
+        if (count != fields) {
+            throw wrong("must have " + fields + " fields" + (fields == columns.length ? ", " + header + "," : "")
+                + " but was " + quotedLine());
         }
         from[count] = end + 1;
     }
 
+    private int from(int column) {
+        return from[field[column]];
+    }
+
+    private int after(int column) {
+        return from[field[column] + 1] - 1;
+    }
+
     private int length(int column) {
-        return from[column + 1] - 1 - from[column];
+        return after(column) - from(column);
     }
 
     private long whole(int column, long least, long most) throws EventSourceException {
-        int after = from[column + 1] - 1;
-        int i = from[column];
+        int after = after(column);
+        int i = from(column);
         boolean negative = i < after && buffer[i] == '-';
         i += negative ? 1 : 0;
         long value = 0;
@@ -273,8 +301,8 @@ public final class EventCsvReader implements Closeable {
     }
 
     private float number(int column) throws EventSourceException {
-        int after = from[column + 1] - 1;
-        int i = from[column];
+        int after = after(column);
+        int i = from(column);
         boolean negative = i < after && buffer[i] == '-';
         i += negative ? 1 : 0;
         long value = 0;
@@ -305,7 +333,7 @@ public final class EventCsvReader implements Closeable {
 
     /** A number with an exponent, or of many digits; not the words that the language takes for numbers. */
     private float unusual(int column) throws EventSourceException {
-        String text = text(from[column], from[column + 1] - 1);
+        String text = text(from(column), after(column));
         if (text.matches("[-+]?[0-9]*\\.?[0-9]*([eE][-+]?[0-9]+)?") && text.matches(".*[0-9].*")) {
             try {
                 float value = Float.parseFloat(text);
@@ -320,7 +348,7 @@ public final class EventCsvReader implements Closeable {
     }
 
     private EventSourceException mustBe(int column, String rule) {
-        return wrong(columns[column] + " must be " + rule + " but was " + quoted(from[column], from[column + 1] - 1));
+        return wrong(columns[column] + " must be " + rule + " but was " + quoted(from(column), after(column)));
     }
 
     @Override

@@ -103,7 +103,7 @@ public class EvaluateCommandTest {
         lines.set(5, "4000,25,64,1,1000,0,1");
         Files.write(truth, lines);
         assertError(1, "[edge.truth.csv] line 6: must be event 4 of the recording (t_us 4000, x 24, y 64, polarity 1) "
-            + "but was (t_us 4000, x 25, y 64, polarity 1)");
+            + "or one after it but was (t_us 4000, x 25, y 64, polarity 1)");
     }
 
     @Test
@@ -177,8 +177,35 @@ public class EvaluateCommandTest {
     @Test
     public void writesNothingWhereTheTruthIsWrong() throws IOException {
         Path csv = folder.getRoot().toPath().resolve("figures.csv");
-        Files.write(truth, lines.subList(0, 10));
+        lines.set(9, "nothing");
+        Files.write(truth, lines);
         assertEquals(1, evaluate("--csv", csv.toString()));
         assertFalse(Files.exists(csv));
+    }
+
+    @Test
+    public void takesATruthOfAPartOfTheEvents() throws IOException {
+        lines.subList(1, 21).clear();
+        Files.write(truth, lines);
+        assertEquals(0, evaluate());
+        assertTrue(out.toString(), out.toString().startsWith(recording
+            + ": 20 of 40 events have a truth, 17 counted "));
+    }
+
+    /** Every event 10 % too fast. */
+    @Test
+    public void evaluatesResultsThatExist() throws IOException {
+        List<String> labels = new ArrayList<>(List.of("segment,t_us,x,y,polarity,vy_px_per_s,vx_px_per_s"));
+        for (int i = 0; i < EVENTS; i++) {
+            labels.add("4," + 1000 * i + "," + (20 + i) + ",64,1,0,1100");
+        }
+        Path results = Files.write(folder.getRoot().toPath().resolve("mine.csv"), labels);
+        assertEquals(0, evaluate("--results", results.toString()));
+        assertTrue(out.toString(), out.toString().matches("(?s).*magnitude error percent mean +10.0.*"));
+        labels.remove(EVENTS);
+        Files.write(results, labels);
+        out.getBuffer().setLength(0);
+        assertError(1, "[mine.csv] line 41: must be event 39 of the recording (t_us 39000, x 59, y 64, polarity 1) but "
+            + "the file ends", "--results", results.toString());
     }
 }

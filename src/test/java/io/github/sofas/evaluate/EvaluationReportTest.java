@@ -28,7 +28,7 @@ public class EvaluationReportTest {
                 FlowEstimate.of(vx, new float[n], Arrays.copyOf(object, n)),
                 new EvaluationOptions(0, 50_000, 20_000, 2));
         return new EvaluationReport("0.1", "day/edge.aedat", "day/edge.truth.csv", "sofas", "default",
-                Map.of("lifetime-px", 6.0), new EvaluationRun(evaluation, null, 0.5));
+                Map.of("lifetime-px", 6.0), new EvaluationRun(evaluation, null, 0.5, evaluation.events()));
     }
 
     private static String csv() throws IOException {
@@ -56,7 +56,7 @@ public class EvaluationReportTest {
         EvaluationReport none = new EvaluationReport("0.1", "a", "b", "sofas", "default", Map.of(), new EvaluationRun(
                 Evaluation.of(new GroundTruth(new long[0], new float[0], new float[0], new int[0]),
                         FlowEstimate.of(new float[0], new float[0], new int[0]), EvaluationOptions.defaults()),
-                null, 0));
+                null, 0, 0));
         assertTrue(none.text().contains("\n  magnitude error percent mean                           -\n"));
     }
 

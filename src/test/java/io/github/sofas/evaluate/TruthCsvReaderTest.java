@@ -26,11 +26,11 @@ public class TruthCsvReaderTest {
     }
 
     private GroundTruth read(String... lines) throws TruthException, IOException {
-        Path file = folder.newFile("edge.truth.csv").toPath();
+        Path file = folder.getRoot().toPath().resolve("edge.truth.csv");
         Files.write(file, (String.join("\n", lines) + (lines.length == 0 ? "" : "\n"))
                 .getBytes(StandardCharsets.UTF_8));
         try (TruthCsvReader reader = TruthCsvReader.open(file)) {
-            reader.read(recording());
+            reader.read(recording(), new boolean[2]);
             reader.end();
             return reader.truth();
         }
@@ -69,14 +69,28 @@ public class TruthCsvReaderTest {
 
     @Test
     public void namesTheLineWhereTruthAndRecordingDiffer() {
-        assertRefuses("line 3: must be event 1 of the recording (t_us 105, x 7, y 0, polarity -1) but was (t_us 105, "
-                + "x 7, y 1, polarity -1)", TruthCsvReader.HEADER, "100,3,4,1,5,0,1", "105,7,1,-1,0,0,0");
+        assertRefuses("line 3: must be event 1 of the recording (t_us 105, x 7, y 0, polarity -1) or one after it "
+                + "but was (t_us 105, x 7, y 1, polarity -1)", TruthCsvReader.HEADER, "100,3,4,1,5,0,1",
+                "105,7,1,-1,0,0,0");
     }
 
     @Test
-    public void refusesATruthThatIsShorterThanTheRecording() {
-        assertRefuses("line 3: must be event 1 of the recording (t_us 105, x 7, y 0, polarity -1) but the file ends",
-                TruthCsvReader.HEADER, "100,3,4,1,5,0,1");
+    public void takesATruthOfAPartOfTheEvents() throws TruthException, IOException {
+        assertEquals(1, read(TruthCsvReader.HEADER, "100,3,4,1,5,0,1").size());
+        GroundTruth second = read(TruthCsvReader.HEADER, "105,7,0,-1,6,0,2");
+        assertEquals(1, second.size());
+        assertEquals(2, second.object()[0]);
+        assertEquals(0, read(TruthCsvReader.HEADER).size());
+    }
+
+    @Test
+    public void takesColumnsInAnyOrderAndAmongOthers() throws TruthException, IOException {
+        GroundTruth truth = read("object,weather,y,x,t_us,vy_px_per_s,vx_px_per_s,polarity", "3,sun,4,3,100,-1,5,1",
+            "0,,0,7,105,,,-1");
+        assertEquals(2, truth.size());
+        assertEquals(3, truth.object()[0]);
+        assertEquals(5, truth.vxPxPerS()[0], 0);
+        assertEquals(-1, truth.vyPxPerS()[0], 0);
     }
 
     @Test
