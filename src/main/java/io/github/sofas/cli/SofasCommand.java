@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
 final class SofasCommand implements Runnable {
     /** Commands in the order of the help text. */
     private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, RenderCommand.class, LiveCommand.class,
-        InfoCommand.class, EvaluateCommand.class, SimulateCommand.class, ExperimentsCommand.class,
+        InfoCommand.class, ConvertCommand.class, EvaluateCommand.class, SimulateCommand.class, ExperimentsCommand.class,
         CompareCommand.class, BenchCommand.class);
     /** Commands about commands, which need them all. */
     private static final List<Class<?>> ABOUT_COMMANDS = List.of(HelpCommand.class,
