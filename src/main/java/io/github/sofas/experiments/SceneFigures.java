@@ -2,7 +2,8 @@ package io.github.sofas.experiments;
 
 import io.github.sofas.evaluate.Evaluation;
 import io.github.sofas.evaluate.EvaluationOptions;
-import io.github.sofas.evaluate.FlowFigures;
+import io.github.sofas.evaluate.FlowEstimate;
+import io.github.sofas.evaluate.GroundTruth;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.simulate.Scene;
@@ -21,9 +22,10 @@ import java.util.function.ToDoubleFunction;
  * @param name of the scene
  * @param objects how many it has
  * @param evaluation all figures
+ * @param growthErrorPercent see {@link GrowthError}; NaN where nothing grows
  * @param nsPerEvent processor time of the method for each event
  */
-record SceneFigures(String name, int objects, Evaluation evaluation, double nsPerEvent) {
+record SceneFigures(String name, int objects, Evaluation evaluation, double growthErrorPercent, double nsPerEvent) {
     /** A figure by which scenes are compared. */
     enum Column {
         /** Mean intersection over union. */
@@ -39,6 +41,8 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double nsPe
         RUNAWAYS("fast,%", 2, false, scene -> 100 * scene.evaluation.flow().runawayShare()),
         /** Share of the noise events with flow in %. */
         NOISE("noise,%", 1, false, scene -> 100 * scene.evaluation.noiseShareWithFlow()),
+        /** Error of the growth rate in %. */
+        GROWTH("growth,%", 1, false, scene -> scene.growthErrorPercent),
         /** Processor time of the method for each event. */
         TIME("ns/event", 0, false, scene -> scene.nsPerEvent);
 
@@ -67,28 +71,31 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double nsPe
             return value.applyAsDouble(scene);
         }
 
+        /** As tables have it; a dash where there is none. */
         String text(double figure) {
-            return String.format(Locale.ROOT, "%." + decimals + "f", figure);
+            return Double.isNaN(figure) ? "-" : String.format(Locale.ROOT, "%." + decimals + "f", figure);
         }
 
-        /** Mean over scenes. */
+        /** Mean over the scenes that have the figure. */
         double mean(List<SceneFigures> scenes) {
-            return scenes.stream().mapToDouble(this::of).average().orElse(0);
+            return scenes.stream().filter(scene -> scene.has(this)).mapToDouble(this::of).average().orElse(Double.NaN);
         }
 
         /** What a tenth of the scenes is no better than. */
         double worstTenth(List<SceneFigures> scenes) {
             double[] sorted = worstFirst(scenes);
-            return sorted[Math.max(0, (int) Math.ceil(0.1 * sorted.length) - 1)];
+            return sorted.length == 0 ? Double.NaN : sorted[Math.max(0, (int) Math.ceil(0.1 * sorted.length) - 1)];
         }
 
         double worst(List<SceneFigures> scenes) {
-            return worstFirst(scenes)[0];
+            double[] sorted = worstFirst(scenes);
+            return sorted.length == 0 ? Double.NaN : sorted[0];
         }
 
         private double[] worstFirst(List<SceneFigures> scenes) {
             double sign = moreIsBetter ? 1 : -1;
-            double[] sorted = scenes.stream().mapToDouble(scene -> sign * of(scene)).sorted().toArray();
+            double[] sorted = scenes.stream().filter(scene -> scene.has(this)).mapToDouble(scene -> sign * of(scene))
+                .sorted().toArray();
             return Arrays.stream(sorted).map(figure -> sign * figure).toArray();
         }
     }
@@ -101,8 +108,10 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double nsPe
 
     static SceneFigures of(String name, SimulatedRecording film, Function<SensorSize, EventLabeller> maker) {
         CpuTime method = new CpuTime(maker.apply(film.sensor()));
-        Evaluation evaluation = Evaluation.of(film, method, EvaluationOptions.defaults());
-        return new SceneFigures(name, film.objects(), evaluation, method.nsPerEvent());
+        FlowEstimate estimate = FlowEstimate.of(film, method);
+        Evaluation evaluation = Evaluation.of(GroundTruth.of(film), estimate, EvaluationOptions.defaults());
+        return new SceneFigures(name, film.objects(), evaluation, GrowthError.percent(film, estimate),
+            method.nsPerEvent());
     }
 
     /** Those with the smallest intersection over union first. */
@@ -110,9 +119,11 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double nsPe
         return scenes.stream().sorted(Comparator.comparingDouble(Column.IOU::of)).toList();
     }
 
-    /** Whether the figure means something: a scene of nothing but noise has no object. */
+    /** Whether the figure means something: a scene of nothing but noise has no object, and most have no growth. */
     boolean has(Column column) {
-        FlowFigures flow = evaluation.flow();
-        return column == Column.NOISE || column == Column.TIME || flow.events() > 0;
+        if (column == Column.GROWTH) {
+            return !Double.isNaN(growthErrorPercent);
+        }
+        return column == Column.NOISE || column == Column.TIME || evaluation.flow().events() > 0;
     }
 }

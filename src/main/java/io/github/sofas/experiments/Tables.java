@@ -31,6 +31,7 @@ import java.util.function.Function;
 public final class Tables {
     private static final int NAME_WIDTH = 28;
     private static final int WIDTH = 10;
+    private static final String NONE = "-";
 
     private final Function<SensorSize, EventLabeller> method;
     private final int jobs;
@@ -80,7 +81,7 @@ public final class Tables {
             StringBuilder line = new StringBuilder(name(figures.name())).append(cell(figures.objects()))
                 .append(cell(figures.evaluation().events()));
             for (Column column : Column.values()) {
-                line.append(cell(figures.has(column) ? column.text(column.of(figures)) : "-"));
+                line.append(cell(figures.has(column) ? column.text(column.of(figures)) : NONE));
             }
             out.println(line);
             out.flush();

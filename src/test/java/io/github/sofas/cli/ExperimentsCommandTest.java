@@ -44,7 +44,7 @@ public class ExperimentsCommandTest {
         assertEquals(one.err, 0, one.exitCode);
         List<String> lines = one.out.lines().toList();
         assertEquals(List.of("scene", "objects", "events", "IoU", "parts", "rEE,%", "flow,%", "fast,%", "noise,%",
-            "ns/event"), List.of(lines.get(0).split(" +")));
+            "growth,%", "ns/event"), List.of(lines.get(0).split(" +")));
         assertTrue(one.out, lines.get(1).startsWith("random:2  "));
         assertTrue(one.out, lines.get(2).startsWith("random:3  "));
         assertTrue(one.out, lines.get(3).startsWith("mean  "));

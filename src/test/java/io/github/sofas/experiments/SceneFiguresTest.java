@@ -30,7 +30,7 @@ public class SceneFiguresTest {
         }
         Evaluation evaluation = Evaluation.of(new GroundTruth(timeUs, vx, new float[n], object),
             FlowEstimate.of(estimated, new float[n], segment), EvaluationOptions.defaults().withSkipFirstShare(0));
-        return new SceneFigures("scene", 1, evaluation, 500);
+        return new SceneFigures("scene", 1, evaluation, Double.NaN, 500);
     }
 
     @Test
@@ -60,7 +60,7 @@ public class SceneFiguresTest {
     public void ofASceneWithoutObjectsOnlyNoiseAndTimeMeanSomething() {
         Evaluation noise = Evaluation.of(new GroundTruth(new long[1], new float[1], new float[1], new int[1]),
             FlowEstimate.of(new float[1], new float[1], new int[1]), EvaluationOptions.defaults());
-        SceneFigures scene = new SceneFigures("noise", 0, noise, 1);
+        SceneFigures scene = new SceneFigures("noise", 0, noise, Double.NaN, 1);
         assertEquals(List.of(Column.NOISE, Column.TIME), Arrays.stream(Column.values()).filter(scene::has).toList());
     }
 }
