@@ -1,9 +1,9 @@
 /**
- * How right flow and segments are, against truth or by the sharpness of the picture. Open
+ * Accuracy of flow and segments, compared with the truth or by the sharpness of the picture. Open
  * {@link io.github.sofas.evaluate.Evaluation} first: it takes the truth and the estimate of every event and gives all
- * figures. The formulas stand in {@link io.github.sofas.evaluate.FlowFigures},
- * {@link io.github.sofas.evaluate.SegmentationFigures} and {@link io.github.sofas.evaluate.ConvergenceBin}. Where no
- * truth is known, {@link io.github.sofas.evaluate.Sharpness} says how sharp flow makes the picture.
+ * figures. The formulas are in {@link io.github.sofas.evaluate.FlowFigures},
+ * {@link io.github.sofas.evaluate.SegmentationFigures} and {@link io.github.sofas.evaluate.ConvergenceBin}. Without
+ * truth, {@link io.github.sofas.evaluate.Sharpness} measures how much sharper the flow makes the picture.
  *
  * <p>Conventions are those of jAER's motion flow statistics (Rueckauer and Delbruck, "Evaluation of event-based
  * algorithms for optical flow with ground-truth from inertial measurement sensor", Frontiers in Neuroscience, 2016)

@@ -30,7 +30,11 @@ public final class FlowTable implements FlowWriter {
     /**
      * Starts a file.
      *
+     * @param format of the file
+     * @param results that the file is one of
+     * @param file where it will be
      * @param metadata what is said of the table, by name
+     * @return the writer
      * @throws IOException where it cannot be made
      */
     public static FlowWriter open(TableFormat format, ResultFiles results, Path file, Map<String, String> metadata)

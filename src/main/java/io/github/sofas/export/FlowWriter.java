@@ -10,6 +10,7 @@ public interface FlowWriter extends Closeable {
     /**
      * Writes the rows of a batch.
      *
+     * @param batch the events
      * @param flow labelled by the engine for this batch
      * @throws IOException where they cannot be written
      */

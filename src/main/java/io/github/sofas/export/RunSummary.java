@@ -128,8 +128,9 @@ public record RunSummary(String version, String request, RecordingSummary record
     }
 
     /**
-     * All parameters as a JSON object, as the summary holds them.
+     * {@return all parameters as a JSON object, as the summary holds them}
      *
+     * @param parameters values by name
      * @throws IOException where a value cannot be written
      */
     public static String parametersAsJson(Map<String, Object> parameters) throws IOException {

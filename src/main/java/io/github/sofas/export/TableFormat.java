@@ -16,7 +16,11 @@ public enum TableFormat {
     /** An array for each column, for NumPy. */
     NPZ;
 
-    /** The format of a name such as parquet, in upper or lower case. */
+    /**
+     * {@return the format of a name such as parquet, in upper or lower case}
+     *
+     * @param name in upper or lower case
+     */
     public static Optional<TableFormat> named(String name) {
         for (TableFormat format : values()) {
             if (format.name().equalsIgnoreCase(name.strip())) {
@@ -26,7 +30,7 @@ public enum TableFormat {
         return Optional.empty();
     }
 
-    /** The ending of its files' names. */
+    /** {@return the ending of its files' names} */
     public String extension() {
         return name().toLowerCase(Locale.ROOT);
     }

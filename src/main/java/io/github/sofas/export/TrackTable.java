@@ -81,7 +81,11 @@ public final class TrackTable implements Closeable {
     /**
      * Starts a file.
      *
+     * @param format of the file
+     * @param results that the file is one of
+     * @param file where it will be
      * @param metadata what is said of the table, by name
+     * @return the table
      * @throws IOException where it cannot be made
      */
     public static TrackTable open(TableFormat format, ResultFiles results, Path file, Map<String, String> metadata)
@@ -92,6 +96,7 @@ public final class TrackTable implements Closeable {
     /**
      * Takes a batch, and writes the steps that are over.
      *
+     * @param batch the events
      * @param flow labelled by the engine for this batch
      * @throws IOException where they cannot be written
      */

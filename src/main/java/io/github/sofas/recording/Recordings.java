@@ -251,9 +251,9 @@ public final class Recordings {
     }
 
     /**
-     * The smallest of the usual sensors that holds all events of a recording that says nothing of its own: a guess, for
-     * people to look at.
+     * {@return the smallest usual sensor that holds all events of a recording} A guess for recordings that name none.
      *
+     * @param path the recording
      * @param options whose chip is not used
      * @throws EventSourceException where the recording cannot be opened
      */
@@ -280,7 +280,11 @@ public final class Recordings {
         return USUAL.stream().filter(sensor -> sensor.contains(x, y)).findFirst().orElseThrow();
     }
 
-    /** Whether a text file's first lines read as events: what a folder is searched for among other texts. */
+    /**
+     * {@return whether a text file's first lines read as events: what a folder is searched for among other texts}
+     *
+     * @param path the recording
+     */
     public static boolean isText(Path path) {
         try (RecordingFile file = new RecordingFile(path)) {
             return TextLayout.fits(file);

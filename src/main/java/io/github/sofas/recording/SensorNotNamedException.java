@@ -6,6 +6,7 @@ import io.github.sofas.event.EventSourceException;
 public final class SensorNotNamedException extends EventSourceException {
     private static final long serialVersionUID = 1L;
 
+    /** Whether a size is enough. */
     private final boolean takesSize;
 
     SensorNotNamedException(String message, boolean takesSize) {
@@ -13,7 +14,7 @@ public final class SensorNotNamedException extends EventSourceException {
         this.takesSize = takesSize;
     }
 
-    /** Whether a size is enough, because the recording holds plain coordinates. */
+    /** {@return whether a size is enough, because the recording holds plain coordinates} */
     public boolean takesSize() {
         return takesSize;
     }

@@ -21,7 +21,11 @@ public enum TextTimeUnit {
         this.digits = digits;
     }
 
-    /** The unit of a symbol: s, ms, us (µs) or ns, or the word for it, in upper or lower case. */
+    /**
+     * {@return the unit of a symbol: s, ms, us (µs) or ns, or the word for it, in upper or lower case}
+     *
+     * @param symbol in upper or lower case
+     */
     public static Optional<TextTimeUnit> named(String symbol) {
         switch (symbol.strip().toLowerCase(Locale.ROOT)) {
             case "s":
