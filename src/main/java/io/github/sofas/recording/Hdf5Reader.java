@@ -92,8 +92,7 @@ final class Hdf5Reader extends RecordingReader {
         try {
             return ChipChoice.withOwnSize(file.name, 0, null, layout.width(), layout.height(), options);
         } catch (SensorNotNamedException e) {
-            throw layout.usualSensor() == null ? e : new SensorNotNamedException(e.getMessage() + "; " + layout.name()
-                    + "'s is " + layout.usualSensor(), true);
+            throw layout.usualSensor() == null ? e : e.with("; " + layout.name() + "'s is " + layout.usualSensor());
         }
     }
 

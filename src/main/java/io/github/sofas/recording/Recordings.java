@@ -59,6 +59,9 @@ public final class Recordings {
             }
             reader = opened;
             return reader;
+        } catch (SensorNotNamedException e) {
+            throw e.takesSize() && file.isSeekable() ? e.with("; all its events lie within "
+                    + smallestSensor(path, options)) : e;
         } catch (NoSuchFileException e) {
             throw new EventSourceException(failed + "no such file", e);
         } catch (AccessDeniedException e) {

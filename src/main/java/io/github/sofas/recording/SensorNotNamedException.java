@@ -18,4 +18,9 @@ public final class SensorNotNamedException extends EventSourceException {
     public boolean takesSize() {
         return takesSize;
     }
+
+    /** The same, with more to its message. */
+    SensorNotNamedException with(String more) {
+        return new SensorNotNamedException(getMessage() + more, takesSize);
+    }
 }

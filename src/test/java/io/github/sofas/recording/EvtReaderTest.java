@@ -167,7 +167,7 @@ public class EvtReaderTest {
     @Test public void asksForTheSizeAndTheEncodingWhereTheHeaderDoesNotSayThem() throws Exception {
         String error = read("% evt 2.0\n", words32(0x80000000, 0)).error;
         assertTrue(error, error.startsWith("[a.raw] the recording names no chip: --chip must name one of ")
-                && error.endsWith(" or a size such as 240x180"));
+                && error.endsWith(" or a size such as 240x180; all its events lie within 34x34"));
         byte[] file = file("% evt 2.0\n", words32(0x80000000, 639 << 11));
         assertEquals(List.of("0 639 0 -1"),
                 ReadResult.of(folder.getRoot().toPath(), "a.raw", file, ReadResult.PLAIN.withChip("640x480")).events);

@@ -53,7 +53,8 @@ public class Hdf5ReaderTest {
     @Test public void asksForTheSensorAndNamesTheUsualOne() throws Exception {
         String error = read(Hdf5Bytes.mvsec(), null).error;
         assertTrue(error, error.startsWith("[a.h5] the recording names no chip: --chip must name one of ")
-                && error.endsWith(" or a size such as 240x180; MVSEC's is 346x260"));
+                && error.endsWith(" or a size such as 240x180; MVSEC's is 346x260; all its events "
+                + "lie within 34x34"));
     }
 
     @Test public void countsAndReportsEventsOutsideTheSensorAndStepsBack() throws Exception {

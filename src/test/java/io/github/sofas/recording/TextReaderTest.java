@@ -77,9 +77,9 @@ public class TextReaderTest {
 
     @Test public void asksForTheSize() throws Exception {
         String error = ReadResult.of(folder.getRoot().toPath(), "a.txt",
-                "1 2 3 1\n".getBytes(StandardCharsets.US_ASCII), ReadResult.PLAIN).error;
+                "1.5 2 3 1\n".getBytes(StandardCharsets.US_ASCII), ReadResult.PLAIN).error;
         assertTrue(error, error.startsWith("[a.txt] the recording names no chip: --chip must name one of DVS128, ")
-                && error.endsWith(" or a size such as 240x180"));
+                && error.endsWith(" or a size such as 240x180; all its events lie within 34x34"));
     }
 
     private void assertDamaged(String text, String error) throws IOException {
