@@ -21,7 +21,7 @@ public final class MetricFit {
     private static final int EVENT_BYTES = 12 * Integer.BYTES + Byte.BYTES;
 
     /** Events, projected along the motion to be improved. */
-    private final VoteGrid grid;
+    private final BilinearAccumulator grid;
     // of each event: time from the reference in s, and place from the centre of rotation in px
     private final float[] tau;
     private final float[] fromX;
@@ -58,7 +58,7 @@ public final class MetricFit {
 
     /** Makes a fit for up to a number of events, of which so many vote on two grids. */
     public MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
-        grid = new VoteGrid(sensorWidth, sensorHeight, cellPx, capacity, mostOnBoth);
+        grid = new BilinearAccumulator(sensorWidth, sensorHeight, cellPx, capacity, mostOnBoth);
         tau = new float[capacity];
         fromX = new float[capacity];
         fromY = new float[capacity];
@@ -71,7 +71,8 @@ public final class MetricFit {
 
     /** Bytes of the arrays of a fit for up to a number of events, all of which vote on two grids. */
     public static long bytes(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
-        return Integer.BYTES * VoteGrid.cells(sensorWidth, sensorHeight, cellPx) + (long) capacity * EVENT_BYTES;
+        return Integer.BYTES * BilinearAccumulator.cells(sensorWidth, sensorHeight, cellPx)
+            + (long) capacity * EVENT_BYTES;
     }
 
     /** The most events that fit. */

@@ -4,56 +4,37 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.motion.Projection;
-import java.util.Arrays;
 
 /**
  * The paper's track plane (section Track Plane): 3 x 3 projections of the live events, neighbours h degrees apart. The
  * occupied cells of the central one are the contour; an event on it belongs to the plane. The first projection whose
  * hits pass a share of its cells becomes the centre.
+ *
+ * <p>Longer than others, because it states the whole life of a track plane as the paper tells it, in order; what it
+ * counts with is in {@link Accumulators}, {@link LiveEvents}, {@link Hits} and {@link RaisedCells}.
  */
 public final class TrackPlane {
-    private static final int SIDE = 3;
+    private static final int SIDE = LiveEvents.SIDE;
     private static final int MIDDLE = SIDE / 2;
     private static final int CENTRE = SIDE * SIDE / 2;
-    /** Most live events, so that no cell overflows; where there are more, the oldest go early. */
-    static final int MOST_EVENTS = Short.MAX_VALUE;
-    /** Length of arrays that is always enough: full at most half, they are moved to the front seldom. */
-    private static final int LONGEST = 2 * (MOST_EVENTS + 1);
 
     private Numbers p;
     private final int maskX;
     private final int maskY;
     private final int shift;
     private final int shiftY;
-    /** Live events per cell, one accumulator a projection. */
-    private final short[][] accumulator;
-    private final int[] cells = new int[SIDE * SIDE];
-    private final int[] hits = new int[SIDE * SIDE];
+    private final Accumulators accumulators;
+    private final Hits hits = new Hits();
     /** Velocities of the columns of projections along x, and of the rows along y. */
     private final int[] fixedVx = new int[SIDE];
     private final int[] fixedVy = new int[SIDE];
     private final int[] cell = new int[SIDE * SIDE];
-    /** What events that missed the contour have raised: how often, and which of the cells that fold to one. */
-    private final short[] raised;
-    private final int[] raisedFold;
-    private int[] raisedCells = new int[64];
-    private int raisedCount;
-
-    private long[] time = new long[256];
-    private short[] x = new short[256];
-    private short[] y = new short[256];
-    /** Where each live event falls in the columns and in the rows of projections, until the next centre. */
-    private short[][] column = new short[SIDE][256];
-    private short[][] row = new short[SIDE][256];
-    private int head;
-    private int tail;
+    private final RaisedCells raised;
+    private final LiveEvents live = new LiveEvents();
 
     private double angleX;
     private double angleY;
     private double h;
-    /** Where the best projection lies from the centre, in distances of projections. */
-    private double bestX;
-    private double bestY;
     private long referenceUs;
     private long lifetimeUs;
     private long checkedUs;
@@ -79,17 +60,14 @@ public final class TrackPlane {
         maskY = sizeY - 1;
         shift = Integer.numberOfTrailingZeros(sizeX);
         shiftY = Integer.numberOfTrailingZeros(sizeY);
-        accumulator = new short[SIDE * SIDE][sizeX * sizeY];
-        raised = new short[sizeX * sizeY];
-        raisedFold = new int[sizeX * sizeY];
+        accumulators = new Accumulators(shift, sizeX * sizeY);
+        raised = new RaisedCells(sizeX * sizeY);
     }
 
     /** The most bytes that its arrays take. */
     static long mostBytes(SensorSize sensor, Numbers p) {
         long cells = (long) side(sensor.width(), p) * side(sensor.height(), p);
-        // nine accumulators, raised counts, their folds, and the list of raised cells, as long as it may have grown
-        return cells * (10 * Short.BYTES + 3 * Integer.BYTES)
-            + (long) LONGEST * (Long.BYTES + (2 + 2 * SIDE) * Short.BYTES);
+        return Accumulators.bytes(cells) + RaisedCells.mostBytes(cells) + LiveEvents.mostBytes();
     }
 
     /** Side of a torus that no two live events of different cells share a cell of. */
@@ -127,11 +105,11 @@ public final class TrackPlane {
         sinceCheck = 0;
         for (int i = 0; i < structure.loaded(); i++) {
             if (structure.contains(i)) {
-                put(structure.x(i), structure.y(i), structure.timeUs(i));
-                head++;
+                live.put(structure.x(i), structure.y(i), structure.timeUs(i));
+                live.head++;
             }
         }
-        firstUs = time[head - 1];
+        firstUs = live.newestUs();
         lastUs = firstUs;
         checkedUs = firstUs;
         // the spacing of the last refining cycle
@@ -147,117 +125,54 @@ public final class TrackPlane {
      */
     boolean offer(int eventX, int eventY, long timeUs) {
         expire(timeUs);
-        if (head - tail == MOST_EVENTS) {
+        if (live.size() == LiveEvents.MOST) {
             removeOldest();
         }
-        put(eventX, eventY, timeUs);
-        project(head, head + 1);
-        for (int k = 0; k < hits.length; k++) {
-            cell[k] = row[k / SIDE][head] << shift | column[k % SIDE][head];
-            if (accumulator[k][cell[k]] > 0) {
-                hits[k]++;
+        live.put(eventX, eventY, timeUs);
+        project(live.head, live.head + 1);
+        for (int k = 0; k < cell.length; k++) {
+            cell[k] = accumulators.cell(k, live, live.head);
+            if (accumulators.isOccupied(k, cell[k])) {
+                hits.add(k);
             }
         }
         int c = cell[CENTRE];
-        boolean belongs = accumulator[CENTRE][c] > 0 || raise(c, eventX, eventY, timeUs);
+        boolean belongs = accumulators.isOccupied(CENTRE, c) || raise(c, eventX, eventY, timeUs);
         if (belongs) {
-            head++;
-            for (int k = 0; k < hits.length; k++) {
-                if (accumulator[k][cell[k]]++ == 0) {
-                    cells[k]++;
-                }
+            live.head++;
+            for (int k = 0; k < cell.length; k++) {
+                accumulators.add(k, cell[k]);
             }
             events++;
             sinceCheck++;
             lastUs = timeUs;
         }
         // without live events there are no cells of which a share could be hit
-        if (head != tail && someoneIsBest()) {
+        if (!live.isEmpty() && hits.haveABest(p.hitShare(), accumulators.cells())) {
             recentre();
         }
         return belongs;
     }
 
-    /** Finds where events [from, to) fall: nine projections need three shifts along each axis only. */
     private void project(int from, int to) {
         for (int a = 0; a < SIDE; a++) {
-            project(x, fixedVx[a], maskX, column[a], from, to);
-            project(y, fixedVy[a], maskY, row[a], from, to);
+            live.project(a, fixedVx[a], fixedVy[a], maskX, maskY, referenceUs, from, to);
         }
     }
 
-    private void project(short[] position, int velocity, int mask, short[] projected, int from, int to) {
-        for (int i = from; i < to; i++) {
-            projected[i] = (short) (position[i] - Projection.travelled(velocity, time[i] - referenceUs) & mask);
-        }
-    }
-
-    /**
-     * Raises a cell that was missed; past the threshold it is contour. Raised cells have no lifetime, so that a later
-     * one may fold to the same place. Time and velocity only lead on: the earlier one is then off the sensor for good,
-     * and the later one starts anew.
-     */
+    /** Raises a cell that was missed; past the threshold it is contour. */
     private boolean raise(int c, int eventX, int eventY, long timeUs) {
         long dt = timeUs - referenceUs;
         int foldX = eventX - Projection.travelled(fixedVx[MIDDLE], dt) >> shift;
         int foldY = eventY - Projection.travelled(fixedVy[MIDDLE], dt) >> shiftY;
-        int fold = foldX << 16 | foldY & 0xffff;
-        if (raised[c] == 0) {
-            if (raisedCount == raisedCells.length) {
-                raisedCells = Arrays.copyOf(raisedCells, 2 * raisedCount);
-            }
-            raisedCells[raisedCount++] = c;
-        } else if (raisedFold[c] != fold) {
-            raised[c] = 0;
-        }
-        raisedFold[c] = fold;
-        if (raised[c] <= p.contourThreshold()) {
-            raised[c]++;
-        }
-        return raised[c] > p.contourThreshold();
-    }
-
-    /**
-     * Whether a projection's hits pass the share of its cells. Of several that pass at one event the one with the
-     * greatest share is best; of equal ones the centre, else their mean: taking the first would lean all velocities
-     * one way.
-     */
-    private boolean someoneIsBest() {
-        int best = -1;
-        for (int k = 0; k < hits.length; k++) {
-            if (hits[k] > p.hitShare() * cells[k]
-                    && (best < 0 || (long) hits[k] * cells[best] > (long) hits[best] * cells[k])) {
-                best = k;
-            }
-        }
-        if (best < 0) {
-            return false;
-        }
-        bestX = 0;
-        bestY = 0;
-        int equals = 0;
-        for (int k = 0; k < hits.length; k++) {
-            if ((long) hits[k] * cells[best] == (long) hits[best] * cells[k]) {
-                bestX += k % SIDE - 1;
-                bestY += k / SIDE - 1;
-                equals++;
-                if (k == CENTRE) {
-                    bestX = 0;
-                    bestY = 0;
-                    return true;
-                }
-            }
-        }
-        bestX /= equals;
-        bestY /= equals;
-        return true;
+        return raised.raise(c, foldX << 16 | foldY & 0xffff, p.contourThreshold());
     }
 
     private void recentre() {
         double step = h;
-        h = bestX == 0 && bestY == 0 ? Math.max(p.minPerturbationDeg(), h / 2)
+        h = hits.bestX() == 0 && hits.bestY() == 0 ? Math.max(p.minPerturbationDeg(), h / 2)
             : Math.min(p.maxPerturbationDeg(), h * 2);
-        centre(angleX + bestX * step, angleY + bestY * step);
+        centre(angleX + hits.bestX() * step, angleY + hits.bestY() * step);
     }
 
     /** Sets the velocity and projects the live events anew, seen from the newest one's time. */
@@ -275,101 +190,40 @@ public final class TrackPlane {
         vyPxPerS = (float) vy;
         double speed = Math.max(StrictMath.hypot(vx, vy), 1e-6);
         lifetimeUs = (long) Math.min(p.maxLifetimeUs(), p.lifetimePx() / speed * 1e6);
-        referenceUs = time[head - 1];
-        while (tail != head && time[tail] < referenceUs - lifetimeUs) {
-            tail++;
+        referenceUs = live.newestUs();
+        while (!live.isEmpty() && live.timeUs[live.tail] < referenceUs - lifetimeUs) {
+            live.tail++;
         }
-        project(tail, head);
-        for (int k = 0; k < cells.length; k++) {
-            cells[k] = fill(accumulator[k], column[k % SIDE], row[k / SIDE]);
-        }
+        project(live.tail, live.head);
+        accumulators.fill(live);
         minX = Integer.MAX_VALUE;
         minY = Integer.MAX_VALUE;
         maxX = 0;
         maxY = 0;
-        for (int i = tail; i < head; i++) {
-            minX = Math.min(minX, x[i]);
-            minY = Math.min(minY, y[i]);
-            maxX = Math.max(maxX, x[i]);
-            maxY = Math.max(maxY, y[i]);
+        for (int i = live.tail; i < live.head; i++) {
+            minX = Math.min(minX, live.x[i]);
+            minY = Math.min(minY, live.y[i]);
+            maxX = Math.max(maxX, live.x[i]);
+            maxY = Math.max(maxY, live.y[i]);
         }
-    }
-
-    /** Puts the live events on an empty accumulator, and returns how many cells they occupy. */
-    private int fill(short[] live, short[] columns, short[] rows) {
-        int occupied = 0;
-        for (int i = tail; i < head; i++) {
-            int c = rows[i] << shift | columns[i];
-            int before = live[c];
-            live[c] = (short) (before + 1);
-            occupied += before == 0 ? 1 : 0;
-        }
-        return occupied;
     }
 
     private void empty() {
-        for (int k = 0; k < cells.length; k++) {
-            clear(accumulator[k], column[k % SIDE], row[k / SIDE]);
-        }
-        for (int i = 0; i < raisedCount; i++) {
-            raised[raisedCells[i]] = 0;
-        }
-        raisedCount = 0;
-        Arrays.fill(cells, 0);
-        Arrays.fill(hits, 0);
-    }
-
-    private void clear(short[] live, short[] columns, short[] rows) {
-        for (int i = tail; i < head; i++) {
-            live[rows[i] << shift | columns[i]] = 0;
-        }
+        accumulators.clear(live);
+        raised.clear();
+        hits.clear();
     }
 
     private void expire(long nowUs) {
         long oldestUs = nowUs - lifetimeUs;
-        while (tail != head && time[tail] < oldestUs) {
+        while (!live.isEmpty() && live.timeUs[live.tail] < oldestUs) {
             removeOldest();
         }
     }
 
     private void removeOldest() {
-        for (int k = 0; k < cells.length; k++) {
-            if (--accumulator[k][row[k / SIDE][tail] << shift | column[k % SIDE][tail]] == 0) {
-                cells[k]--;
-            }
-        }
-        tail++;
-    }
-
-    /** Puts an event behind the live ones; it is one of them once {@link #head} has passed it. */
-    private void put(int eventX, int eventY, long timeUs) {
-        if (head == time.length) {
-            moveToFront(head - tail > time.length / 2 ? Math.min(2 * time.length, LONGEST) : time.length);
-        }
-        time[head] = timeUs;
-        x[head] = (short) eventX;
-        y[head] = (short) eventY;
-    }
-
-    /** Moves the live events to the front of arrays of some length. */
-    private void moveToFront(int length) {
-        long[] newTime = length == time.length ? time : new long[length];
-        System.arraycopy(time, tail, newTime, 0, head - tail);
-        time = newTime;
-        x = moved(x, length);
-        y = moved(y, length);
-        for (int a = 0; a < SIDE; a++) {
-            column[a] = moved(column[a], length);
-            row[a] = moved(row[a], length);
-        }
-        head -= tail;
-        tail = 0;
-    }
-
-    private short[] moved(short[] from, int length) {
-        short[] to = length == from.length ? from : new short[length];
-        System.arraycopy(from, tail, to, 0, head - tail);
-        return to;
+        accumulators.remove(live, live.tail);
+        live.tail++;
     }
 
     /**
@@ -378,13 +232,13 @@ public final class TrackPlane {
      */
     boolean isStarved(long nowUs) {
         expire(nowUs);
-        if (head == tail) {
+        if (live.isEmpty()) {
             return true;
         }
         if (nowUs - checkedUs < lifetimeUs) {
             return false;
         }
-        boolean starved = sinceCheck < p.minShare() * cells[CENTRE];
+        boolean starved = sinceCheck < p.minShare() * accumulators.cells()[CENTRE];
         checkedUs = nowUs;
         sinceCheck = 0;
         return starved;
@@ -402,30 +256,11 @@ public final class TrackPlane {
     /** Takes over the events of another plane. */
     void merge(TrackPlane other) {
         empty();
-        int mine = head - tail;
-        int theirs = other.head - other.tail;
-        long[] newTime = new long[Math.max(time.length, mine + theirs)];
-        short[] newX = new short[newTime.length];
-        short[] newY = new short[newTime.length];
-        int a = tail;
-        int b = other.tail;
-        for (int i = 0; i < mine + theirs; i++) {
-            boolean own = b == other.head || a != head && time[a] <= other.time[b];
-            newTime[i] = own ? time[a] : other.time[b];
-            newX[i] = own ? x[a] : other.x[b];
-            newY[i] = own ? y[a++] : other.y[b++];
-        }
-        time = newTime;
-        x = newX;
-        y = newY;
-        column = new short[SIDE][time.length];
-        row = new short[SIDE][time.length];
-        tail = Math.max(0, mine + theirs - MOST_EVENTS);
-        head = mine + theirs;
+        live.merge(other.live);
         events += other.events;
         sinceCheck += other.sinceCheck;
         lastUs = Math.max(lastUs, other.lastUs);
-        if (head > 0) {
+        if (live.head > 0) {
             centre(angleX, angleY);
         }
     }
@@ -453,17 +288,17 @@ public final class TrackPlane {
     /** Lets all events go, so that the plane can serve another structure. */
     void clear() {
         empty();
-        head = 0;
-        tail = 0;
+        live.clear();
     }
 
     /** Shows the cells of the central projection that live events occupy, carried on to a time. */
     void contour(long nowUs, SensorSize sensor, PixelConsumer pixels) {
         int travelX = Projection.travelled(fixedVx[MIDDLE], nowUs - referenceUs);
         int travelY = Projection.travelled(fixedVy[MIDDLE], nowUs - referenceUs);
-        for (int i = tail; i < head; i++) {
-            int shownX = x[i] - Projection.travelled(fixedVx[MIDDLE], time[i] - referenceUs) + travelX;
-            int shownY = y[i] - Projection.travelled(fixedVy[MIDDLE], time[i] - referenceUs) + travelY;
+        for (int i = live.tail; i < live.head; i++) {
+            long dt = live.timeUs[i] - referenceUs;
+            int shownX = live.x[i] - Projection.travelled(fixedVx[MIDDLE], dt) + travelX;
+            int shownY = live.y[i] - Projection.travelled(fixedVy[MIDDLE], dt) + travelY;
             if (sensor.contains(shownX, shownY)) {
                 pixels.accept(shownX, shownY);
             }
@@ -472,7 +307,7 @@ public final class TrackPlane {
 
     /** Live events. */
     int live() {
-        return head - tail;
+        return live.size();
     }
 
     /** Angle between neighbouring projections, h, in degrees. */
@@ -482,6 +317,6 @@ public final class TrackPlane {
 
     /** Occupied cells of a projection, for tests and pictures. */
     int cells(int i, int j) {
-        return cells[j * SIDE + i];
+        return accumulators.cells()[j * SIDE + i];
     }
 }

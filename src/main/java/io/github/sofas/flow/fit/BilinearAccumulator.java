@@ -11,7 +11,7 @@ import java.util.Arrays;
  * And the metric leaves out what an event adds by meeting itself, w² of 2 w f + w²: that part says nothing of the
  * velocity, and rewards projections that let events fall on whole pixels, zero velocity above all.
  */
-final class VoteGrid {
+final class BilinearAccumulator {
     /** Positions are in sixteenths of a cell. */
     private static final int SUB = 16;
     private static final int SUB_BITS = 4;
@@ -52,7 +52,7 @@ final class VoteGrid {
      *     has up to twice the metric in the middle of a cell that it has between two, and its true velocity may look
      *     worst; places of many events average out
      */
-    VoteGrid(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
+    BilinearAccumulator(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
         this.mostOnBoth = mostOnBoth;
         scale = (float) (SUB / cellPx);
         placeX = new int[capacity];
