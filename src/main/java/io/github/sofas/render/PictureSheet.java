@@ -442,7 +442,7 @@ public final class PictureSheet {
             case FLOW:
                 paintWheel(x + 24, y + 25, 24);
                 g.setColor(new Color(theme.text));
-                g.drawString("colour: where it moves", x + 58, y + 16);
+                g.drawString("colour: direction of the flow", x + 58, y + 16);
                 g.drawString("full colour: " + full + " or more", x + 58, y + 32);
                 swatch(g, x + 58, y + 36, theme.faint, "no flow");
                 break;
