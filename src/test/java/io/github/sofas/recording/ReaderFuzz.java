@@ -232,9 +232,12 @@ public final class ReaderFuzz {
         public static void fuzzerTestOneInput(byte[] data) {
             RecordingOptions options = RecordingOptions.defaults().withChip("240x180")
                 .withStrict(data.length % 2 == 1);
-            read("a.csv", data, options);
-            read("a.txt", data, options.withTimeUnit(TextTimeUnit.values()[data.length % 4])
-                .withColumns(List.of("x", "y", "t", "_", "p")));
+            if (data.length % 3 > 0) {
+                read("a.csv", data, options);
+            } else {
+                read("a.txt", data, options.withTimeUnit(TextTimeUnit.values()[data.length % 4])
+                    .withColumns(List.of("x", "y", "t", "_", "p")));
+            }
         }
 
         /** Valid inputs to start from. */
@@ -280,7 +283,7 @@ public final class ReaderFuzz {
 
         /** Valid inputs to start from. */
         public static List<byte[]> seeds() {
-            return List.of(Hdf5Bytes.dsec(true), Hdf5Bytes.mvsec());
+            return List.of(Hdf5Bytes.dsec(true));
         }
     }
 
