@@ -9,6 +9,7 @@ import io.github.sofas.evaluate.TruthCsvReader;
 import io.github.sofas.evaluate.TruthException;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.ResultFiles;
+import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
 import java.io.IOException;
@@ -117,8 +118,10 @@ final class EvaluateCommand implements Callable<Integer> {
     private EventSourceException holdAgainstTruth(Path recording, RecordingReader reader, MethodChoice method,
                                                   EvaluationOptions options) throws TruthException, IOException {
         try (TruthCsvReader truthReader = TruthCsvReader.open(truth)) {
-            EvaluationRun run = EvaluationRun.of(reader, truthReader, method.make(reader.sensor(), ended -> { }),
-                options);
+            EvaluationRun run;
+            try (RunProgress progress = progress(recording)) {
+                run = EvaluationRun.of(reader, truthReader, watched(method, reader, progress), options);
+            }
             EvaluationReport report = new EvaluationReport(Version.text(), recording.toString(), truth.toString(),
                 method.method(), method.preset(), method.parameters(), run);
             write(report::writeJson, report::writeCsv);
@@ -129,12 +132,24 @@ final class EvaluateCommand implements Callable<Integer> {
 
     private EventSourceException measure(Path recording, RecordingReader reader, MethodChoice method)
             throws IOException {
-        SharpnessRun run = SharpnessRun.of(reader, method.make(reader.sensor(), ended -> { }));
+        SharpnessRun run;
+        try (RunProgress progress = progress(recording)) {
+            run = SharpnessRun.of(reader, watched(method, reader, progress));
+        }
         SharpnessReport report = new SharpnessReport(Version.text(), recording.toString(), method.method(),
             method.preset(), method.parameters(), run);
         write(report::writeJson, report::writeCsv);
         spec.commandLine().getOut().print(report.text());
         return run.damage();
+    }
+
+    private RunProgress progress(Path recording) {
+        return RunProgress.start(spec.commandLine().getErr(), false, recording.toFile().length());
+    }
+
+    private static EventLabeller watched(MethodChoice method, RecordingReader reader, RunProgress progress) {
+        return new WatchedLabeller(method.make(reader.sensor(), ended -> { }),
+            () -> progress.reached(reader.bytesRead()));
     }
 
     private EvaluationOptions options() {

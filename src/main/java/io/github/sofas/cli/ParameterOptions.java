@@ -64,13 +64,13 @@ final class ParameterOptions {
     private Path config;
 
     /** Adds one option a parameter to a command that has this class as a mixin. */
-    static void addTo(CommandSpec command) {
+    static void addTo(CommandSpec command, boolean shown) {
         Map<String, ArgGroupSpec.Builder> groups = new LinkedHashMap<>();
         for (ParameterHandle handle : OPTIONS) {
             groups.computeIfAbsent(handle.group(), name -> ArgGroupSpec.builder().validate(false).exclusive(false)
-                    .order(100 + groups.size()).heading("%nAlgorithm parameters, " + name + ":%n"))
+                    .order(100 + groups.size()).heading(shown ? "%nAlgorithm parameters, " + name + ":%n" : null))
                 .addArg(OptionSpec.builder("--" + optionName(handle)).paramLabel(handle.isSwitch() ? "true|false" : "N")
-                    .type(String.class).description(description(handle)).build());
+                    .type(String.class).description(description(handle)).hidden(!shown).build());
         }
         groups.values().forEach(group -> command.addArgGroup(group.build()));
         for (String name : RemovedParameters.names()) {

@@ -1,8 +1,13 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.recording.Printable;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.TextTimeUnit;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Option;
@@ -75,6 +80,20 @@ final class ReadingOptions {
         double percent = 100 * share;
         double rounded = Math.round(10 * percent) / 10.0;
         return rounded > 100 * doubtfulShare ? String.format(Locale.ROOT, "%.1f", rounded) : String.valueOf(percent);
+    }
+
+    /** A pipe is opened when someone opens its other end, which may be never: says so before. */
+    static void sayIfWaiting(Path recording, PrintWriter err) {
+        try {
+            if (Files.readAttributes(recording, BasicFileAttributes.class).isOther()) {
+                err.println(Printable.of("[" + recording.getFileName() + "] is no file but a pipe or a device: waiting "
+                    + "for what is written to it"));
+                err.flush();
+            }
+        } catch (IOException e) {
+            // the opening will tell
+            return;
+        }
     }
 
     RecordingOptions recordingOptions() {

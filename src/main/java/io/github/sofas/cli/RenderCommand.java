@@ -146,8 +146,12 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() {
         PrintWriter err = spec.commandLine().getErr();
         RenderRun run = check();
+        ReadingOptions.sayIfWaiting(run.recording(), err);
         try (ResultFiles files = new ResultFiles(force)) {
-            RenderRun.Outcome outcome = run.run(files);
+            RenderRun.Outcome outcome;
+            try (RunProgress progress = RunProgress.start(err, quiet, run.recording().toFile().length())) {
+                outcome = run.run(files, progress);
+            }
             files.commit();
             outcome.notes().forEach(err::println);
             outcome.faults().forEach(err::println);
@@ -171,6 +175,8 @@ final class RenderCommand implements Callable<Integer> {
                 err.println(doubt);
             }
             return outcome.damage() == null && doubt == null ? Main.OK : Main.FAILED;
+        } catch (IllegalArgumentException e) {
+            throw usage("[" + recording.getFileName() + "] " + e.getMessage());
         } catch (EventSourceException e) {
             err.println(e.getMessage());
         } catch (IOException e) {

@@ -98,19 +98,15 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
      *
      * @throws EventSourceException where the recording cannot be opened or has no event
      * @throws IOException where the film cannot be written
+     * @throws IllegalArgumentException where pictures of this sensor cannot be as they are wanted
      */
-    Outcome run(ResultFiles files) throws EventSourceException, IOException {
+    Outcome run(ResultFiles files, RunProgress progress) throws EventSourceException, IOException {
         long start = System.nanoTime();
         try (RecordingReader reader = Recordings.open(recording, options);
                 StoredLabels labelled = flow == null ? null : StoredLabels.open(flow, recording, reader, BATCH);
                 Film film = film(files)) {
             SensorSize sensor = reader.sensor();
-            PictureSheet sheet;
-            try {
-                sheet = new PictureSheet(sensor, pictures);
-            } catch (IllegalArgumentException e) {
-                throw new EventSourceException("[" + recording.getFileName() + "] " + e.getMessage(), e);
-            }
+            PictureSheet sheet = new PictureSheet(sensor, pictures);
             Queue<GreyFrame> frames = new ArrayDeque<>();
             if (pictures.panels().contains(Panel.GREY)) {
                 reader.onFrame(frame -> {
@@ -128,6 +124,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             try {
                 while (!shooting.isOver() && (labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
                     shooting.take(batch, labels);
+                    progress.reached(reader.bytesRead());
                 }
             } catch (EventSourceException e) {
                 damage = e;

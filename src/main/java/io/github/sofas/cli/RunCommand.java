@@ -236,6 +236,7 @@ final class RunCommand implements Callable<Integer> {
 
     /** Runs one recording and says what came of it. */
     private boolean succeeds(RecordingRun run, RunProgress progress) throws Exception {
+        ReadingOptions.sayIfWaiting(run.recording(), spec.commandLine().getErr());
         RecordingRun.Outcome outcome = run.run(progress, threads);
         // Faults end with the damage where there is one.
         outcome.summary().recording().notes().forEach(progress::say);

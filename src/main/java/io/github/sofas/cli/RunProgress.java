@@ -53,7 +53,27 @@ final class RunProgress implements AutoCloseable {
     static ProgressBar bar(ProgressBarConsumer line, long bytes) {
         return new ProgressBarBuilder().setInitialMax(Math.max(1, bytes)).setUnit(" MB", 1_000_000)
             .setStyle(ProgressBarStyle.ASCII).setUpdateIntervalMillis(UPDATE_MS).setConsumer(line)
-            .clearDisplayOnFinish().build();
+            .hideEta().clearDisplayOnFinish().build();
+    }
+
+    /**
+     * Starts showing work that is not measured in bytes.
+     *
+     * @param unit of it, such as " s"
+     * @param most how much there is
+     */
+    static RunProgress start(PrintWriter err, boolean quiet, String unit, long most) {
+        boolean shown = !quiet && standardErrorIsTerminal();
+        return new RunProgress(err, quiet, !shown ? null : new ProgressBarBuilder().setInitialMax(Math.max(1, most))
+            .setUnit(unit, 1).setStyle(ProgressBarStyle.ASCII).setUpdateIntervalMillis(UPDATE_MS)
+            .setConsumer(new Line(System.err)).hideEta().clearDisplayOnFinish().build());
+    }
+
+    /** Shows how far the work is. */
+    synchronized void reached(long place) {
+        if (bar != null) {
+            bar.stepTo(place);
+        }
     }
 
     /** The terminal's line that the bar is drawn on; unlike the library's own, it leaves no empty line behind. */

@@ -50,6 +50,8 @@ final class SimulateCommand implements Callable<Integer> {
         Map.entry("noiseHzPerPx", "--noise"), Map.entry("hotPixels", "--hot-pixels"),
         Map.entry("hotPixelHz", "--hot-pixel-rate"));
 
+    /** Shorter films round to none, which stands for the scene's own duration. */
+    private static final double SHORTEST_S = 0.001;
     /** Options that only some scenes look at. */
     private static final Map<String, Set<Scene>> ONLY_OF = Map.of("--turns", Set.of(Scene.SHORT_BAR, Scene.LONG_BAR),
         "--turn-round", Set.of(Scene.FOUR_BARS), "--field-of-view", Set.of(Scene.PENDULUM));
@@ -245,6 +247,9 @@ final class SimulateCommand implements Callable<Integer> {
         if (!(scene.durationS >= 0)) {
             throw usage("--duration must not be negative but was " + scene.durationS);
         }
+        if (scene.durationS > 0 && scene.durationS < SHORTEST_S) {
+            throw usage("--duration must be 0 or at least " + SHORTEST_S + " s but was " + scene.durationS);
+        }
         try {
             DvsModel dvs = DvsModel.davis().withThresholds(sensor.onThreshold, sensor.offThreshold)
                 .withMismatchSd(sensor.mismatchSd).withJitterSdUs(sensor.jitterSdUs)
@@ -267,10 +272,13 @@ final class SimulateCommand implements Callable<Integer> {
         try (ResultFiles files = new ResultFiles(force)) {
             EventBatch batch = new EventBatch(BATCH);
             Truth known = new Truth(BATCH);
-            try (SimulatedSource source = new SimulatedSource(filmed, options);
+            try (RunProgress progress = RunProgress.start(spec.commandLine().getErr(), quiet, " ms",
+                        filmed.durationUs(options) / 1000);
+                    SimulatedSource source = new SimulatedSource(filmed, options);
                     Aedat2Writer aedat = new Aedat2Writer(files.create(recording), chip);
                     TruthCsv csv = new TruthCsv(files.create(truth))) {
                 while (source.next(batch, known)) {
+                    progress.reached(batch.timeUs[batch.size() - 1] / 1000);
                     aedat.write(batch);
                     csv.write(batch, known);
                     events += batch.size();

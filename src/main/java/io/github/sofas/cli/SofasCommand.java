@@ -1,8 +1,10 @@
 package io.github.sofas.cli;
 
 import java.io.PrintWriter;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.AutoComplete;
 import picocli.CommandLine;
@@ -10,7 +12,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
@@ -18,7 +19,7 @@ import picocli.CommandLine.Spec;
 @Command(name = "sofas", mixinStandardHelpOptions = true, scope = ScopeType.INHERIT, versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
     description = "Optical flow and segmentation of event-camera recordings, per event.")
-final class SofasCommand implements Runnable {
+final class SofasCommand implements Callable<Integer> {
     /** Commands in the order of the help text. */
     private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, RenderCommand.class, LiveCommand.class,
         InfoCommand.class, ConvertCommand.class, EvaluateCommand.class, SimulateCommand.class, ExperimentsCommand.class,
@@ -30,8 +31,15 @@ final class SofasCommand implements Runnable {
     private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, RenderCommand.class,
         LiveCommand.class, EvaluateCommand.class, ExperimentsCommand.class, BenchCommand.class);
 
+    /** With these, help and completion show the algorithm's parameters too. */
+    private static final Set<String> SHOW_PARAMETERS = Set.of("--help-all", "generate-completion");
+
     @Spec
     private CommandSpec spec;
+
+    @Option(names = "--help-all", usageHelp = true, scope = ScopeType.INHERIT,
+        description = "Show this help message with all parameters of the algorithm and exit.")
+    private boolean helpAll;
 
     @Option(names = "--verbose", scope = ScopeType.INHERIT,
         description = "Print the stack trace of an unexpected error.")
@@ -43,13 +51,14 @@ final class SofasCommand implements Runnable {
      */
     CommandLine commandLine(String... arguments) {
         CommandLine line = new CommandLine(this);
+        boolean showsParameters = Arrays.stream(arguments).anyMatch(SHOW_PARAMETERS::contains);
         List<Class<?>> asked = COMMANDS.stream()
             .filter(each -> arguments.length > 0 && name(each).equals(arguments[0]))
             .collect(Collectors.toList());
         for (Class<?> each : asked.isEmpty() ? COMMANDS : asked) {
             line.addSubcommand(each);
             if (WITH_PARAMETERS.contains(each)) {
-                ParameterOptions.addTo(line.getSubcommands().get(name(each)).getCommandSpec());
+                ParameterOptions.addTo(line.getSubcommands().get(name(each)).getCommandSpec(), showsParameters);
             }
         }
         if (asked.isEmpty()) {
@@ -63,8 +72,9 @@ final class SofasCommand implements Runnable {
     }
 
     @Override
-    public void run() {
-        throw new ParameterException(spec.commandLine(), "a command is missing");
+    public Integer call() {
+        spec.commandLine().usage(spec.commandLine().getErr());
+        return Main.USAGE;
     }
 
     /** Says in one line that a fault of the program itself was met; with {@code --verbose}, where. */

@@ -16,6 +16,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
@@ -63,11 +64,12 @@ public final class Experiments {
             throws InterruptedException {
         long start = System.nanoTime();
         Experiments experiments = new Experiments(jobs);
+        Consumer<String> counted = counting(parts(recordings, randomScenes), progress);
         ExecutorService workers = Executors.newFixedThreadPool(jobs);
         try {
             Map<Setting, SimulatedRecording> films = film(workers, longestUs);
-            Map<Setting, Map<ComparedMethod, Future<Trial>>> trials = start(films, workers, progress);
-            Map<String, Future<RealExperiment>> real = experiments.startReal(recordings, workers, progress);
+            Map<Setting, Map<ComparedMethod, Future<Trial>>> trials = start(films, workers, counted);
+            Map<String, Future<RealExperiment>> real = experiments.startReal(recordings, workers, counted);
             Future<MetricMap> one = workers.submit(() -> MetricMap.of(films.get(Setting.HEXAGON), MAP_FROM_US,
                 MAP_UNTIL_US, FINE_MAP));
             Future<MetricMap> two = workers.submit(() -> MetricMap.of(films.get(Setting.TWO_OPPOSITE), MAP_FROM_US,
@@ -84,12 +86,26 @@ public final class Experiments {
             experiments.twoObjects = result(two);
             experiments.methodPicture = MethodPicture.of(films.get(Setting.TWO_OPPOSITE), MAP_FROM_US, MAP_UNTIL_US,
                 experiments.twoObjects);
-            experiments.randomScenes = RandomScenes.run(randomScenes, jobs, longestUs, progress);
+            experiments.randomScenes = RandomScenes.run(randomScenes, jobs, longestUs, counted);
             experiments.seconds = (System.nanoTime() - start) * 1e-9;
             return experiments;
         } finally {
             workers.shutdownNow();
         }
+    }
+
+    /** How many parts there are to tell of. */
+    static int parts(Path recordings, int randomScenes) {
+        int real = 0;
+        for (RealExperiments each : RealExperiments.values()) {
+            real += recordings != null && Files.isRegularFile(recordings.resolve(each.fileName())) ? 1 : 0;
+        }
+        return Setting.ALL.size() * ComparedMethod.values().length + real + RandomScenes.parts(randomScenes);
+    }
+
+    private static Consumer<String> counting(int parts, Consumer<String> progress) {
+        AtomicInteger done = new AtomicInteger();
+        return part -> progress.accept(done.incrementAndGet() + " of " + parts + ": " + part);
     }
 
     private static Map<Setting, SimulatedRecording> film(ExecutorService workers, long longestUs)

@@ -66,6 +66,11 @@ record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List
         return new RandomScenes(ofRandom, ofTextured, all(worst, jobs, pictured -> { }));
     }
 
+    /** How many scenes there are to tell of. */
+    static int parts(int count) {
+        return count + TableScene.textured().size();
+    }
+
     private static TableScene scene(long seed) {
         return new TableScene(Scene.RANDOM.sceneName() + SEED_MARK + seed, Scene.RANDOM,
             SimulationOptions.defaults().withSeed(seed));

@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  *
  * <p>AEDAT 3.x and recorders since 2018 end it with a line of its own; older files do not. There it ends with the first
  * line that does not start with {@code #}, but data may start with that byte too: what looks like a line and holds a
- * control character is data, for no recorder writes one into a header.
+ * control character is data, unless the header's last line comes later or nearly all else in it is text.
  *
  * @param chip what the AEChip line (1.0, 2.0) or the first Source line (3.x) says, or null
  * @param source the number of the first Source line, or null
@@ -25,6 +25,12 @@ record AedatHeader(String chip, Integer source, String encoding, boolean hasEndL
             Pattern.CASE_INSENSITIVE);
     /** The start of a line that is kept; the lines that mean something are shorter. */
     private static final int KEPT_BYTES = 512;
+
+    /** Lines of a header are few; records hold line feeds by chance. */
+    private static final int MOST_LINES_AHEAD = 2000;
+    /** Shorter lines may be records that look like text by chance. */
+    private static final int FEWEST_TEXT = 16;
+    private static final double MOSTLY = 0.8;
 
     /** Reads the header and leaves the file at the first record. */
     static AedatHeader read(RecordingFile file) throws IOException, MalformedRecordingException {
@@ -47,9 +53,16 @@ record AedatHeader(String chip, Integer source, String encoding, boolean hasEndL
                 throw new MalformedRecordingException("[" + file.name + "] header at byte " + lineOffset
                         + ": truncated, a line must end with a line feed but the file ends");
             }
-            if (next != '\n') {
+            if (next != '\n' && !isText(file, lineOffset)) {
                 file.seek(lineOffset);
                 break;
+            }
+            while (next != '\n' && file.require(1)) {
+                next = file.buffer[file.position] & 0xFF;
+                if (next != '\n' && length < KEPT_BYTES) {
+                    line[length++] = (byte) next;
+                }
+                file.position += next != '\n' ? 1 : 0;
             }
             file.position++;
             String text = new String(line, 0, length, StandardCharsets.ISO_8859_1).strip();
@@ -70,6 +83,29 @@ record AedatHeader(String chip, Integer source, String encoding, boolean hasEndL
             }
         }
         return new AedatHeader(chip, source, encoding, hasEndLine);
+    }
+
+    /**
+     * Whether a line that holds a control character is of the header all the same: the header's last line comes later,
+     * or nearly all of the line is text. Goes back to where it was.
+     */
+    private static boolean isText(RecordingFile file, long lineOffset) throws IOException {
+        long here = file.offset();
+        file.seek(lineOffset);
+        file.require(RecordingFile.BUFFER_BYTES);
+        String ahead = new String(file.buffer, file.position, file.available(), StandardCharsets.ISO_8859_1);
+        file.seek(here);
+        file.require(1);
+        int end = ahead.indexOf('\n');
+        if (end < 0) {
+            return false;
+        }
+        if (ahead.substring(end).lines().limit(MOST_LINES_AHEAD)
+                .anyMatch(line -> END.matcher(line.strip()).matches())) {
+            return true;
+        }
+        long printable = ahead.substring(0, end).chars().filter(c -> c >= ' ' && c <= '~').count();
+        return end >= FEWEST_TEXT && printable >= MOSTLY * end;
     }
 
     private static boolean isControl(int character) {

@@ -32,6 +32,11 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     /** The array of a DAVIS240C. */
     public static final SensorSize DAVIS240 = new SensorSize(240, 180);
 
+    /** Logarithms of light: more than from starlight to the sun. */
+    private static final double MOST_LOG = 20;
+    private static final double MOST_SCALE = 100;
+    private static final double MOST_BLUR_PX = 100;
+
     /**
      * Checks every component.
      *
@@ -71,6 +76,10 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
         requireNotNegative("texture", texture);
         requireAbove("blurPx", blurPx);
         requireNotNegative("fieldOfViewM", fieldOfViewM);
+        requireAtMost("scale", scale, MOST_SCALE);
+        requireAtMost("contrast", contrast, MOST_LOG);
+        requireAtMost("texture", texture, MOST_LOG);
+        requireAtMost("blurPx", blurPx, MOST_BLUR_PX);
     }
 
     /**
@@ -209,6 +218,12 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     public SimulationOptions withDvs(DvsModel model) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
                 texture, blurPx, turnsRound, fieldOfViewM, seed, model);
+    }
+
+    private static void requireAtMost(String name, double value, double most) {
+        if (value > most) {
+            throw new IllegalArgumentException(name + " must be at most " + most + " but was " + value);
+        }
     }
 
     private static void requireAbove(String name, double value) {

@@ -14,7 +14,10 @@ public class MainTest {
     @Test
     public void needsACommand() {
         Executed sofas = Executed.command();
-        assertEquals("a command is missing\nTry 'sofas --help'.\n", sofas.err);
+        assertTrue(sofas.err, sofas.err.startsWith("Usage: sofas [-hV] "));
+        for (String command : COMMANDS) {
+            assertTrue(sofas.err, sofas.err.contains("\n  " + command + " "));
+        }
         assertEquals("", sofas.out);
         assertEquals(2, sofas.exitCode);
     }
@@ -47,6 +50,20 @@ public class MainTest {
             assertEquals("", help.err);
             assertEquals(0, help.exitCode);
             assertEquals(help.out, Executed.command("help", command).out);
+        }
+    }
+
+    @Test
+    public void parametersAreShownByHelpAllOnly() {
+        for (String command : new String[] {"run", "render", "live", "evaluate", "bench"}) {
+            String help = Executed.command(command, "--help").out;
+            assertFalse(help, help.contains("--lifetime-px"));
+            assertFalse(help, help.contains("Algorithm parameters"));
+            assertTrue(help, help.contains("--help-all"));
+            String all = Executed.command(command, "--help-all").out;
+            assertTrue(all, all.contains("--lifetime-px"));
+            assertTrue(all, all.contains("Algorithm parameters"));
+            assertTrue(all, all.startsWith(help.substring(0, help.indexOf('\n'))));
         }
     }
 

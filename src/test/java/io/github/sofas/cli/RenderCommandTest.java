@@ -135,6 +135,7 @@ public class RenderCommandTest {
             refuses("--exposure must be a time above 0 such as 20ms or a count such as 5000ev but was \"" + exposure
                 + "\"", "--exposure", exposure);
         }
+        refuses("[short-bar.aedat] crop must lie on the sensor of 240x180 but was 230,0,20,20", "--crop", "230,0,20,20");
         refuses("--crop must be X,Y,W,H in px but was \"1,2\"", "--crop", "1,2");
         refuses("--scale must be between 1 and 16 but was 17", "--scale", "17");
         refuses("--full-speed must be above 0 and below 1,000,000 but was Infinity", "--full-speed", "Infinity");
@@ -146,12 +147,12 @@ public class RenderCommandTest {
     }
 
     @Test
-    public void pictureTooLargeForPlayersIsAFailureAndLeavesNoFilm() throws IOException {
+    public void pictureTooLargeForPlayersIsRefusedAndLeavesNoFilm() throws IOException {
         Executed executed = render("--scale", "16", "--panels", "events,flow,segments");
         // two panels of 240 x 16 px with 8 px about each, two rows of 180 x 16 px with title and legend
         assertEquals("[short-bar.aedat] a picture must have at most 9437184 pixels but would be 7712x5936: take a "
-            + "smaller scale or fewer panels", executed.err.strip());
-        assertEquals(1, executed.exitCode);
+            + "smaller scale or fewer panels", executed.errLines().get(0));
+        assertEquals(2, executed.exitCode);
         assertEquals(List.of(), files());
     }
 

@@ -33,6 +33,14 @@ public class RunProgressTest {
     }
 
     @Test
+    public void barFitsEightyColumns() {
+        for (String line : drawn().split("[\\r\\n]")) {
+            String visible = line.replaceAll("\u001b\\[[0-9;]*[A-Za-z]", "");
+            assertTrue(visible.length() + ": " + visible, visible.length() <= 80);
+        }
+    }
+
+    @Test
     public void leavesNoLineBehind() {
         String drawn = drawn();
 

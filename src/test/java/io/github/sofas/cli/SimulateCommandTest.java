@@ -94,6 +94,14 @@ public class SimulateCommandTest {
     }
 
     @Test
+    public void valuesThatNoSceneHasAreRefused() {
+        assertUsage("--texture must be at most 20.0 but was 1000.0", "hexagon", "--texture", "1000");
+        assertUsage("--contrast must be at most 20.0 but was 1000.0", "hexagon", "--contrast", "1000");
+        assertUsage("--blur must be at most 100.0 but was 1.0E9", "hexagon", "--blur", "1e9");
+        assertUsage("--duration must be 0 or at least 0.001 s but was 1.0E-9", "hexagon", "--duration", "1e-9");
+    }
+
+    @Test
     public void needsASceneAndAFolder() {
         Executed noScene = simulate();
         assertTrue(noScene.err, noScene.err.startsWith("Missing required parameter: 'SCENE'; known are rectangles, "));

@@ -217,6 +217,21 @@ public class Aedat2ReaderTest {
         }
     }
 
+    /** A note with an escape, a bell, a letter of a foreign character set. */
+    @Test public void headerLinesWithControlCharactersAreNoEvents() throws Exception {
+        String[] notes = {"# made \u001B[1mby hand\u0007 on a quiet evening\r\n", "# \u0001\r\n",
+            "#\u0000\u0000\u0000\r\n"};
+        for (String note : notes) {
+            header = "#!AER-DAT2.0\r\n" + DVS128 + note + "# and one more line\r\n" + END;
+            ReadResult read = read(dvs(100, 0, 0, 1), dvs(101, 127, 5, -1));
+            assertEquals(List.of("100 127 127 1", "101 0 122 -1"), read.events);
+            assertEquals(List.of(), read.faults);
+        }
+        // old files have no last line of their own: a line of text is one all the same
+        header = "#!AER-DAT2.0\r\n" + DVS128 + notes[0];
+        assertEquals(List.of("100 127 127 1"), read(dvs(100, 0, 0, 1)).events);
+    }
+
     @Test public void deliversEveryEventBeforeATruncationAtAnyByte() throws Exception {
         byte[] whole = join(header, dvs(1, 1, 1, 1), dvs(2, 2, 2, 1), dvs(3, 3, 3, 1), dvs(4, 4, 4, -1));
         List<String> all = readFile(whole).events;
