@@ -121,6 +121,7 @@ final class InfoCommand implements Callable<Integer> {
 
     private RecordingSummary read(Path recording, RecordingOptions options, List<String> notes)
             throws EventSourceException {
+        ReadingOptions.sayIfWaiting(recording, spec.commandLine().getErr());
         try (RecordingReader reader = Recordings.open(recording, options)) {
             EventBatch batch = new EventBatch(BATCH);
             EventSourceException damage = null;

@@ -135,7 +135,8 @@ public class RenderCommandTest {
             refuses("--exposure must be a time above 0 such as 20ms or a count such as 5000ev but was \"" + exposure
                 + "\"", "--exposure", exposure);
         }
-        refuses("[short-bar.aedat] crop must lie on the sensor of 240x180 but was 230,0,20,20", "--crop", "230,0,20,20");
+        refuses("[short-bar.aedat] crop must lie on the sensor of 240x180 but was 230,0,20,20", "--crop",
+            "230,0,20,20");
         refuses("--crop must be X,Y,W,H in px but was \"1,2\"", "--crop", "1,2");
         refuses("--scale must be between 1 and 16 but was 17", "--scale", "17");
         refuses("--full-speed must be above 0 and below 1,000,000 but was Infinity", "--full-speed", "Infinity");
