@@ -167,7 +167,8 @@ public record EvaluationReport(String version, String recording, String truth, S
             json.writeBooleanField("complete", run.damage() == null);
             json.writeStringField("method", method);
             json.writeStringField("preset", preset);
-            NamedFigures.writeParameters(json, parameters);
+            json.writeFieldName("parameters");
+            Json.writeParameters(json, parameters);
             json.writeNumberField("events", evaluation.events());
             json.writeNumberField("events_counted", evaluation.eventsCounted());
             json.writeFieldName("skip_first_share");

@@ -158,21 +158,4 @@ final class NamedFigures {
             json.writeNumber(text(value));
         }
     }
-
-    /** Writes a method's parameters, a Number, Boolean or String each, as the field of that name. */
-    static void writeParameters(JsonGenerator json, Map<String, Object> parameters) throws IOException {
-        json.writeObjectFieldStart("parameters");
-        for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
-            json.writeFieldName(parameter.getKey());
-            Object value = parameter.getValue();
-            if (value instanceof Number) {
-                json.writeNumber(value.toString());
-            } else if (value instanceof Boolean) {
-                json.writeBoolean((Boolean) value);
-            } else {
-                json.writeString(value.toString());
-            }
-        }
-        json.writeEndObject();
-    }
 }

@@ -100,7 +100,8 @@ public record SharpnessReport(String version, String recording, String method, S
             json.writeBooleanField("complete", run.damage() == null);
             json.writeStringField("method", method);
             json.writeStringField("preset", preset);
-            NamedFigures.writeParameters(json, parameters);
+            json.writeFieldName("parameters");
+            Json.writeParameters(json, parameters);
             json.writeFieldName("method_seconds");
             NamedFigures.write(json, run.methodSeconds());
             json.writeObjectFieldStart("sharpness");

@@ -7,9 +7,10 @@ import io.github.sofas.simulate.SimulatedRecording;
 
 /**
  * How far the growth that a flow shows is from the true one. In each window of 50 ms that counts, a growth rate g is
- * fitted to the events with flow of an object, by least squares of v = a + g r with r the place from their mean:
+ * fitted to the events with flow of an object, by least squares of v = a + b t + g r, with place r and time t; without
+ * the term in t, a body that speeds up would seem to grow. What t does not explain of r being r', that is
  * <pre>
- *   g = sum of r (v - mean v) / sum of r²
+ *   g = sum of r' v / sum of r'²
  * </pre>
  * once with the estimated velocities and once with the true ones. Windows count where there are at least
  * {@value #FEWEST_EVENTS} events and the true rate is at least {@value #LEAST_RATE_PER_S} per s either way.
@@ -52,11 +53,13 @@ final class GrowthError {
 
     private double percent(int object, int from, int until) {
         int n = 0;
+        double meanT = 0;
         double meanX = 0;
         double meanY = 0;
         for (int i = from; i < until; i++) {
             if (counts(i, object)) {
                 n++;
+                meanT += film.timeUs[i] - film.timeUs[from];
                 meanX += film.x[i];
                 meanY += film.y[i];
             }
@@ -64,22 +67,36 @@ final class GrowthError {
         if (n < FEWEST_EVENTS) {
             return Double.NaN;
         }
+        meanT = film.timeUs[from] + meanT / n;
         meanX /= n;
         meanY /= n;
+        double squaresT = 0;
+        double productX = 0;
+        double productY = 0;
+        for (int i = from; i < until; i++) {
+            if (counts(i, object)) {
+                double t = film.timeUs[i] - meanT;
+                squaresT += t * t;
+                productX += t * (film.x[i] - meanX);
+                productY += t * (film.y[i] - meanY);
+            }
+        }
+        double slopeX = squaresT == 0 ? 0 : productX / squaresT;
+        double slopeY = squaresT == 0 ? 0 : productY / squaresT;
         double estimated = 0;
         double real = 0;
         double squares = 0;
         for (int i = from; i < until; i++) {
             if (counts(i, object)) {
-                // The mean velocity drops out, because the places from their mean add up to 0.
-                double x = film.x[i] - meanX;
-                double y = film.y[i] - meanY;
+                double t = film.timeUs[i] - meanT;
+                double x = film.x[i] - meanX - slopeX * t;
+                double y = film.y[i] - meanY - slopeY * t;
                 estimated += x * estimate.vxPxPerS(i) + y * estimate.vyPxPerS(i);
                 real += x * film.vxPxPerS[i] + y * film.vyPxPerS[i];
                 squares += x * x + y * y;
             }
         }
-        if (Math.abs(real) < LEAST_RATE_PER_S * squares || squares == 0) {
+        if (squares == 0 || Math.abs(real) < LEAST_RATE_PER_S * squares) {
             return Double.NaN;
         }
         return 100 * Math.abs(estimated - real) / Math.abs(real);

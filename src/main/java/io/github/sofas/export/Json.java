@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.Map;
 
 /** JSON as this program writes it: UTF-8, indented by two, LF on every system, numbers without exponent. */
 public final class Json {
@@ -54,5 +55,29 @@ public final class Json {
         json.writeFieldName(name);
         // As text, because the generator would write a BigDecimal like 0.000000 as 0E-6.
         json.writeNumber(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_UP).toPlainString());
+    }
+
+    /**
+     * Writes a method's parameters as an object.
+     *
+     * @param json where it goes
+     * @param parameters a Number, Boolean or String each, by the name of its option
+     * @throws IOException where it cannot be written
+     */
+    public static void writeParameters(JsonGenerator json, Map<String, Object> parameters) throws IOException {
+        json.writeStartObject();
+        for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
+            json.writeFieldName(parameter.getKey());
+            Object value = parameter.getValue();
+            if (value instanceof Number) {
+                // Its own text: 20 stays 20, 0.1f stays 0.1.
+                json.writeNumber(value.toString());
+            } else if (value instanceof Boolean) {
+                json.writeBoolean((Boolean) value);
+            } else {
+                json.writeString(value.toString());
+            }
+        }
+        json.writeEndObject();
     }
 }

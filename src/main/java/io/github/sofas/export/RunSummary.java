@@ -91,7 +91,7 @@ public record RunSummary(String version, String request, RecordingSummary record
             json.writeStringField("method", method);
             json.writeStringField("preset", preset);
             json.writeFieldName("parameters");
-            writeParameters(json, parameters);
+            Json.writeParameters(json, parameters);
             json.writeNumberField("events", recording.events());
             json.writeNumberField("events_with_flow", eventsWithFlow);
             Json.write(json, "share_with_flow", shareWithFlow(), 6);
@@ -136,25 +136,8 @@ public record RunSummary(String version, String request, RecordingSummary record
     public static String parametersAsJson(Map<String, Object> parameters) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (JsonGenerator json = Json.open(bytes)) {
-            writeParameters(json, parameters);
+            Json.writeParameters(json, parameters);
         }
         return bytes.toString(StandardCharsets.UTF_8).strip();
-    }
-
-    private static void writeParameters(JsonGenerator json, Map<String, Object> parameters) throws IOException {
-        json.writeStartObject();
-        for (Map.Entry<String, Object> parameter : parameters.entrySet()) {
-            json.writeFieldName(parameter.getKey());
-            Object value = parameter.getValue();
-            if (value instanceof Number) {
-                // Its own text: 20 stays 20, 0.1f stays 0.1.
-                json.writeNumber(value.toString());
-            } else if (value instanceof Boolean) {
-                json.writeBoolean((Boolean) value);
-            } else {
-                json.writeString(value.toString());
-            }
-        }
-        json.writeEndObject();
     }
 }

@@ -548,7 +548,7 @@ public class RunCommandTest {
         String page = Files.readString(out.resolve("hexagon.report.html"));
         assertTrue(page.contains("26,101"));
         assertTrue(page.contains("./sofas run --out "));
-        assertTrue(page.contains("<video controls loop muted playsinline src=\"data:video/mp4;base64,"));
+        assertTrue(page.contains("<video controls loop muted playsinline poster=\"data:image/png;base64,"));
         assertFalse("everything is inside", page.matches("(?s).*(src|href)=\"(?!data:).*"));
         Executed again = run("--report", "-q", HEXAGON);
         assertEquals(2, again.exitCode);

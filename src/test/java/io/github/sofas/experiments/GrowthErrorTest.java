@@ -37,8 +37,10 @@ public class GrowthErrorTest {
 
     @Test
     public void whereNothingGrowsThereIsNone() {
-        SimulatedRecording film = SimulatedRecording.of(Scene.HEXAGON,
-            SimulationOptions.defaults().withDurationUs(500_000));
-        assertTrue(Double.isNaN(GrowthError.percent(film, times(1, film))));
+        for (Scene scene : new Scene[] {Scene.HEXAGON, Scene.SWINGING_BALL, Scene.SHORT_BAR}) {
+            SimulatedRecording film = SimulatedRecording.of(scene,
+                SimulationOptions.defaults().withDurationUs(500_000));
+            assertTrue(scene.sceneName(), Double.isNaN(GrowthError.percent(film, times(1, film))));
+        }
     }
 }
