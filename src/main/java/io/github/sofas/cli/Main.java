@@ -59,7 +59,7 @@ public final class Main {
             sofas.printUnexpected(err, "", exception);
             return FAILED;
         });
-        int exitCode = commandLine.execute(args);
+        int exitCode = commandLine.execute(SofasCommand.withoutHelpAll(args));
         // flushes, and tells of anything that was lost since the beginning
         boolean isLost = out.checkError();
         if (isLost) {

@@ -31,13 +31,15 @@ final class SofasCommand implements Callable<Integer> {
     private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, RenderCommand.class,
         LiveCommand.class, EvaluateCommand.class, ExperimentsCommand.class, BenchCommand.class);
 
+    private static final String HELP_ALL = "--help-all";
     /** With these, help and completion show the algorithm's parameters too. */
-    private static final Set<String> SHOW_PARAMETERS = Set.of("--help-all", "generate-completion");
+    private static final Set<String> SHOW_PARAMETERS = Set.of(HELP_ALL, "generate-completion");
 
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--help-all", usageHelp = true, scope = ScopeType.INHERIT,
+    /** Never parsed: {@link #withoutHelpAll} takes it for {@code --help}, of which there can be but one. */
+    @Option(names = HELP_ALL, scope = ScopeType.INHERIT,
         description = "Show this help message with all parameters of the algorithm and exit.")
     private boolean helpAll;
 
@@ -65,6 +67,11 @@ final class SofasCommand implements Callable<Integer> {
             ABOUT_COMMANDS.forEach(line::addSubcommand);
         }
         return line;
+    }
+
+    /** The arguments as they are parsed, after {@link #commandLine} has looked at them. */
+    static String[] withoutHelpAll(String... arguments) {
+        return Arrays.stream(arguments).map(each -> each.equals(HELP_ALL) ? "--help" : each).toArray(String[]::new);
     }
 
     private static String name(Class<?> command) {

@@ -188,6 +188,7 @@ final class Aedat2Reader extends RecordingReader {
             nextImuCode = (code + 1) % IMU_WORDS;
             return;
         }
+        malformedRecords++;
         if (nextImuCode != SKIP_TO_NEXT_IMU) {
             int expected = nextImuCode;
             addFault("imu", () -> at(eventNumber(n), offsetOf(p)) + "malformed, an IMU sample's word must have code "

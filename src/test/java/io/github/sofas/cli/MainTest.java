@@ -4,6 +4,8 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.util.List;
 import org.junit.Test;
 
@@ -51,6 +53,22 @@ public class MainTest {
             assertEquals(0, help.exitCode);
             assertEquals(help.out, Executed.command("help", command).out);
         }
+    }
+
+    /** The parser warns on the stream of the process itself, where no command's messages go. */
+    @Test
+    public void parserHasNothingToWarnOf() {
+        PrintStream before = System.err;
+        ByteArrayOutputStream warned = new ByteArrayOutputStream();
+        try {
+            System.setErr(new PrintStream(warned, true));
+            Executed.command("--help");
+            Executed.command("run", "--help-all");
+            Executed.command("info", "recordings/hexagon.aedat");
+        } finally {
+            System.setErr(before);
+        }
+        assertEquals("", warned.toString());
     }
 
     @Test

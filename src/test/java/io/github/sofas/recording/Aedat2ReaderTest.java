@@ -147,6 +147,14 @@ public class Aedat2ReaderTest {
                 + ": malformed, an IMU sample's word must have code 2 but had 3"), read.faults);
     }
 
+    /** A block of 0xFF, as of a flash memory, is IMU words of a code that none has. */
+    @Test public void wordsOfNoImuSampleAreMalformed() throws Exception {
+        header = "#!AER-DAT2.0\r\n" + DAVIS + END;
+        ReadResult read = read(davis(1, 0, 0, 1), record(-1, -1), record(-1, -1), record(-1, -1), davis(2, 0, 0, 1));
+        assertEquals(3, read.counts.malformed());
+        assertEquals(1, read.counts.doubtfulShare(), 0.5);
+    }
+
     @Test public void reportsAnImuSampleThatTheEndCutsOffAndEndsWell() throws Exception {
         header = "#!AER-DAT2.0\r\n" + DAVIS + END;
         ReadResult read = read(davis(1, 0, 0, 1), record(0x80000C00, 2), record(0x90000C00, 2));
