@@ -10,6 +10,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
@@ -99,6 +100,11 @@ public final class ResultFiles implements AutoCloseable {
         if (Files.isDirectory(file)) {
             // The commit would meet it only after other files have their names.
             throw new FileSystemException(file.toString(), null, "is a directory");
+        }
+        if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)
+                && Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS).isOther()) {
+            // The commit would put a file in its place, and nobody could use the device any more.
+            throw new FileSystemException(file.toString(), null, "is a device or a pipe and not a file");
         }
         // The process id keeps two runs into one folder apart.
         Path temporary = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ending);

@@ -223,6 +223,23 @@ public class ResultFilesTest {
         assertEquals(List.of("b.json"), filesThere());
     }
 
+    /** A device would be replaced by a file, for all programs. */
+    @Test
+    public void refusesAPipeAndADevice() throws Exception {
+        Process mkfifo;
+        try {
+            mkfifo = new ProcessBuilder("mkfifo", first.toString()).start();
+        } catch (IOException e) {
+            throw Skipped.because("this system makes no pipes: " + e.getMessage());
+        }
+        assertEquals(0, mkfifo.waitFor());
+        try (ResultFiles files = new ResultFiles(true)) {
+            FileSystemException refused = assertThrows(FileSystemException.class, () -> files.create(first));
+            assertEquals(first + ": is a device or a pipe and not a file", refused.getMessage());
+        }
+        assertEquals(List.of("a.csv"), filesThere());
+    }
+
     @Test
     public void refusesAFileInAFolderThatIsNotThere() {
         Path nowhere = folder.getRoot().toPath().resolve("nowhere").resolve("a.csv");
