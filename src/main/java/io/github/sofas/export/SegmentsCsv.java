@@ -15,9 +15,9 @@ import java.util.Locale;
 public final class SegmentsCsv {
     /** The first line, without its end. */
     public static final String HEADER = "segment,first_t_us,last_t_us,events,vx_px_per_s,vy_px_per_s,"
-        + "min_x,min_y,max_x,max_y,fate,merged_into";
+        + "min_x,min_y,max_x,max_y,fate,merged_into,turn_rad_per_s,growth_per_s";
 
-    /** No row is longer: six numbers of at most 11 characters, three of 20, two velocities of 17, fate, separators. */
+    /** No row is longer: six numbers of at most 11 characters, three of 20, four velocities of 17, fate, separators. */
     private static final int ROW_LIMIT = 256;
 
     private SegmentsCsv() {
@@ -58,6 +58,10 @@ public final class SegmentsCsv {
             if (segment.fate() == Segment.Fate.MERGED) {
                 buffer.put((long) segment.mergedInto());
             }
+            buffer.put(',');
+            buffer.putVelocity(segment.turnRadPerS());
+            buffer.put(',');
+            buffer.putVelocity(segment.growthPerS());
             buffer.put('\n');
         }
         buffer.flush();

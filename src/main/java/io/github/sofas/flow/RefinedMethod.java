@@ -60,7 +60,8 @@ final class RefinedMethod implements Method {
         stack.check(timeUs);
         TrackPlane plane = stack.match(x, y, timeUs, polarity);
         if (plane != null) {
-            output.set(i, plane.id(), plane.motion().vxAt(y, timeUs), plane.motion().vyAt(x, timeUs));
+            output.set(i, plane.id(), plane.motion().vxAt(x, y, timeUs),
+                plane.motion().vyAt(x, y, timeUs));
             stack.take(plane, x, y, timeUs, polarity);
         } else {
             output.set(i, 0, 0, 0);

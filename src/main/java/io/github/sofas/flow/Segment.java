@@ -9,6 +9,9 @@ package io.github.sofas.flow;
  * @param events how many events were assigned to it, and to those that were merged into it
  * @param vxPxPerS last velocity to the right in px/s
  * @param vyPxPerS last velocity downwards in px/s
+ * @param turnRadPerS last rotation in rad/s, positive clockwise as seen; 0 where none shows
+ * @param growthPerS last growth in 1/s, half the divergence of its flow; 0 where none shows. Of what comes nearer
+ *     1/growth is the time to contact
  * @param minX leftmost column of its contour at its last event; the box is on the sensor
  * @param minY topmost row
  * @param maxX rightmost column, inclusive
@@ -17,7 +20,8 @@ package io.github.sofas.flow;
  * @param mergedInto id of the segment that took it over; 0 unless {@link Fate#MERGED}
  */
 public record Segment(int id, long firstTimeUs, long lastTimeUs, long events, float vxPxPerS, float vyPxPerS,
-                      int minX, int minY, int maxX, int maxY, Fate fate, int mergedInto) {
+                      float turnRadPerS, float growthPerS, int minX, int minY, int maxX, int maxY, Fate fate,
+                      int mergedInto) {
 
     /** What became of a track plane. */
     public enum Fate {

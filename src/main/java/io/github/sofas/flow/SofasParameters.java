@@ -84,6 +84,9 @@ public record SofasParameters(
         @Parameter(value = "whether a track plane may turn", origin = "ours, because a pendulum and a bar turn",
             defaults = Parameter.ON)
         boolean rotation,
+        @Parameter(value = "whether a track plane may grow", origin = "ours, because what comes near does",
+            defaults = Parameter.ON)
+        boolean growth,
         @Parameter(value = "most track planes at once", origin = "ours, because memory is to be bounded",
             min = 1, max = 64, defaults = 64, paper = 64)
         int maxTrackPlanes,

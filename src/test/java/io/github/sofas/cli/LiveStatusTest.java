@@ -39,7 +39,7 @@ public class LiveStatusTest {
     };
 
     private void segment(int id, long events, float vx, float vy) {
-        segments.add(new Segment(id, 0, 1, events, vx, vy, 0, 0, 1, 1, Segment.Fate.ALIVE, 0));
+        segments.add(new Segment(id, 0, 1, events, vx, vy, 0, 0, 0, 0, 1, 1, Segment.Fate.ALIVE, 0));
     }
 
     private LiveStatus status(int columns) throws EventSourceException {

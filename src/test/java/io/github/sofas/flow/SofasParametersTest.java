@@ -27,6 +27,7 @@ public class SofasParametersTest {
         memoryPx 64.0 -
         acceleration true -
         rotation true -
+        growth true -
         maxTrackPlanes 64 64
         minShare 0.3 0.2
         velocityScalePxPerS - 100.0

@@ -1,129 +1,169 @@
 package io.github.sofas.flow.fit;
 
 import io.github.sofas.flow.motion.Motion;
+import java.util.Arrays;
 
 /**
- * The motion that serves two structures best, were they one rigid body: that by which their metrics lose least. Ours,
- * because the two ends of a body that turns have two velocities, and the two halves of a bar opposite ones: by a
- * common velocity alone a rotating bar fell into four segments.
+ * The motion that serves two structures best, were they one body: that by which their metrics lose least. Ours, because
+ * the two ends of a body that turns have two velocities, and so have two parts of what comes nearer: by a common
+ * velocity alone a rotating bar fell into four segments.
  *
- * <p>With velocities vi of their centres, losses Li by other velocities, and li by other rotations, it is the v and
- * omega about the point between them that make the sum over both of (v + omega x r - vi)' Li (v + omega x r - vi) +
- * li (omega - omegai)² least: three linear equations.
+ * <p>With velocities vi of their centres, losses Li by other velocities, li by other rotations and gi by other growths,
+ * it is the v, omega and growth about the point between them that make the sum over both of
+ * (v + omega x r + growth r - vi)' Li (v + omega x r + growth r - vi) + li (omega - omegai)² + gi (growth - growthi)²
+ * least: four linear equations.
  */
 public final class CommonMotion {
+    private static final int N = 4;
+
     private final Motion first = new Motion();
     private final Motion second = new Motion();
     private final Motion motion = new Motion();
     private double lost;
+    private double leastShown;
 
-    // the equations, symmetric: xx vx + xy vy + xw omega = bx, and so on
-    private double xx;
-    private double xy;
-    private double xw;
-    private double yy;
-    private double yw;
-    private double ww;
-    private double bx;
-    private double by;
-    private double bw;
+    // the equations, a row each, of (vx, vy, omega, growth), and their right sides
+    private final double[][] a = new double[N][N];
+    private final double[] b = new double[N];
+    private final double[] solution = new double[N];
+    // of the structure that is added: how its centre's velocity follows from each unknown
+    private final double[] toVx = new double[N];
+    private final double[] toVy = new double[N];
 
     /**
      * Fits it.
      *
-     * @param a motion of the one structure, b of the other; they stay as they are
+     * @param one motion of the one structure, other of the other; they stay as they are
      * @return whether the two together know every part of it; if not, it is the first one's
      */
-    public boolean fit(Motion a, MotionLoss lossA, Motion b, MotionLoss lossB, long nowUs) {
-        load(a, lossA, b, lossB, nowUs);
-        return solve(lossA, lossB);
+    public boolean fit(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long nowUs) {
+        load(one, other, nowUs);
+        add(first, lossOne);
+        add(second, lossOther);
+        if (!(lossOne.grow > 0) && !(lossOther.grow > 0)) {
+            pin(3, 0);
+        }
+        return finish(lossOne, lossOther);
     }
 
-    /** The same for two structures of which each keeps its own rotation, or whose rotation is not known yet. */
-    public boolean fitVelocity(Motion a, MotionLoss lossA, Motion b, MotionLoss lossB, long nowUs) {
-        load(a, lossA, b, lossB, nowUs);
-        // the third equation is omega = 0, and neither counts its own
-        xw = 0;
-        yw = 0;
-        ww = 1;
-        bw = 0;
-        double own = first.omega;
-        first.omega = 0;
-        second.omega = 0;
-        boolean known = solve(lossA, lossB);
-        motion.omega = own;
-        return known;
+    /** The same with the rotation and the growth of the one that knows them better: only the velocity is fitted. */
+    public boolean fitVelocity(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long nowUs) {
+        load(one, other, nowUs);
+        add(first, lossOne);
+        add(second, lossOther);
+        pin(2, lossOther.turn > lossOne.turn ? second.omega : first.omega);
+        pin(3, lossOther.grow > lossOne.grow ? second.growth : first.growth);
+        return finish(lossOne, lossOther);
     }
 
-    private void load(Motion a, MotionLoss lossA, Motion b, MotionLoss lossB, long nowUs) {
-        first.copyFrom(a);
+    private boolean finish(MotionLoss lossOne, MotionLoss lossOther) {
+        if (!solve()) {
+            motion.copyFrom(first);
+            lost = Double.POSITIVE_INFINITY;
+            leastShown = 0;
+            return false;
+        }
+        motion.vx = solution[0];
+        motion.vy = solution[1];
+        motion.omega = solution[2];
+        motion.growth = solution[3];
+        lost = Math.max(shareLost(first, lossOne), shareLost(second, lossOther));
+        leastShown = Math.min(shareShown(lossOne), shareShown(lossOther));
+        return true;
+    }
+
+    private void load(Motion one, Motion other, long nowUs) {
+        first.copyFrom(one);
         first.moveReference(nowUs);
-        second.copyFrom(b);
+        second.copyFrom(other);
         second.moveReference(nowUs);
         motion.copyFrom(first);
         motion.centreX = (first.centreX + second.centreX) / 2;
         motion.centreY = (first.centreY + second.centreY) / 2;
-        clear();
-        add(first, lossA);
-        add(second, lossB);
+        for (double[] row : a) {
+            Arrays.fill(row, 0);
+        }
+        Arrays.fill(b, 0);
     }
 
-    private boolean solve(MotionLoss lossA, MotionLoss lossB) {
-        double cxx = yy * ww - yw * yw;
-        double cxy = xw * yw - xy * ww;
-        double cxw = xy * yw - xw * yy;
-        double determinant = xx * cxx + xy * cxy + xw * cxw;
-        if (!(determinant > 0)) {
-            motion.copyFrom(first);
-            lost = Double.POSITIVE_INFINITY;
-            return false;
+    private void relate(Motion its) {
+        double rx = its.centreX - motion.centreX;
+        double ry = its.centreY - motion.centreY;
+        toVx[0] = 1;
+        toVx[1] = 0;
+        toVx[2] = -ry;
+        toVx[3] = rx;
+        toVy[0] = 0;
+        toVy[1] = 1;
+        toVy[2] = rx;
+        toVy[3] = ry;
+    }
+
+    /** Adds what one structure knows. */
+    private void add(Motion its, MotionLoss loss) {
+        relate(its);
+        for (int i = 0; i < N; i++) {
+            double lx = loss.xx * toVx[i] + loss.xy * toVy[i];
+            double ly = loss.xy * toVx[i] + loss.yy * toVy[i];
+            for (int j = 0; j < N; j++) {
+                a[i][j] += lx * toVx[j] + ly * toVy[j];
+            }
+            b[i] += lx * its.vx + ly * its.vy;
         }
-        double cyy = xx * ww - xw * xw;
-        double cyw = xy * xw - xx * yw;
-        double cww = xx * yy - xy * xy;
-        motion.vx = (cxx * bx + cxy * by + cxw * bw) / determinant;
-        motion.vy = (cxy * bx + cyy * by + cyw * bw) / determinant;
-        motion.omega = (cxw * bx + cyw * by + cww * bw) / determinant;
-        lost = Math.max(shareLost(first, lossA), shareLost(second, lossB));
+        a[2][2] += loss.turn;
+        b[2] += loss.turn * its.omega;
+        a[3][3] += loss.grow;
+        b[3] += loss.grow * its.growth;
+    }
+
+    /** Gives an unknown a value. */
+    private void pin(int i, double value) {
+        for (int j = 0; j < N; j++) {
+            b[j] -= a[j][i] * value;
+            a[i][j] = 0;
+            a[j][i] = 0;
+        }
+        a[i][i] = 1;
+        b[i] = value;
+    }
+
+    /** Solves the equations by Gauss's elimination, whose pivots are positive where every part is known. */
+    private boolean solve() {
+        for (int i = 0; i < N; i++) {
+            if (!(a[i][i] > 0)) {
+                return false;
+            }
+            for (int k = i + 1; k < N; k++) {
+                double factor = a[k][i] / a[i][i];
+                for (int j = i; j < N; j++) {
+                    a[k][j] -= factor * a[i][j];
+                }
+                b[k] -= factor * b[i];
+            }
+        }
+        for (int i = N - 1; i >= 0; i--) {
+            double sum = b[i];
+            for (int j = i + 1; j < N; j++) {
+                sum -= a[i][j] * solution[j];
+            }
+            solution[i] = sum / a[i][i];
+        }
         return true;
     }
 
-    private void clear() {
-        xx = 0;
-        xy = 0;
-        xw = 0;
-        yy = 0;
-        yw = 0;
-        ww = 0;
-        bx = 0;
-        by = 0;
-        bw = 0;
-    }
-
-    /** Adds what one structure knows; its centre's velocity is (vx - omega ry, vy + omega rx). */
-    private void add(Motion its, MotionLoss loss) {
-        double rx = its.centreX - motion.centreX;
-        double ry = its.centreY - motion.centreY;
-        double turnedX = loss.xy * rx - loss.xx * ry;
-        double turnedY = loss.yy * rx - loss.xy * ry;
-        xx += loss.xx;
-        xy += loss.xy;
-        xw += turnedX;
-        yy += loss.yy;
-        yw += turnedY;
-        ww += turnedY * rx - turnedX * ry + loss.turn;
-        double pullX = loss.xx * its.vx + loss.xy * its.vy;
-        double pullY = loss.xy * its.vx + loss.yy * its.vy;
-        bx += pullX;
-        by += pullY;
-        bw += pullY * rx - pullX * ry + loss.turn * its.omega;
-    }
-
     private double shareLost(Motion its, MotionLoss loss) {
-        double rx = its.centreX - motion.centreX;
-        double ry = its.centreY - motion.centreY;
-        return loss.of(motion.vx - motion.omega * ry - its.vx, motion.vy + motion.omega * rx - its.vy,
-            motion.omega - its.omega) / loss.metric;
+        relate(its);
+        double vx = -its.vx;
+        double vy = -its.vy;
+        for (int i = 0; i < N; i++) {
+            vx += toVx[i] * solution[i];
+            vy += toVy[i] * solution[i];
+        }
+        return loss.of(vx, vy, motion.omega - its.omega, motion.growth - its.growth) / loss.metric;
+    }
+
+    private double shareShown(MotionLoss loss) {
+        return loss.of(0, 0, motion.omega, motion.growth) / loss.metric;
     }
 
     /** The motion, at the time it was fitted for. */
@@ -134,5 +174,14 @@ public final class CommonMotion {
     /** The greater of the shares of its metric that either structure loses by it. */
     public double lost() {
         return lost;
+    }
+
+    /**
+     * The lesser of the shares of its metric that either structure would lose without the common rotation and growth,
+     * about its own centre: any two velocities agree with some rotation and growth, which is evidence only where each
+     * structure shows its own part of it.
+     */
+    public double leastShown() {
+        return leastShown;
     }
 }

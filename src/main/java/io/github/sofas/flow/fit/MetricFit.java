@@ -1,5 +1,7 @@
 package io.github.sofas.flow.fit;
 
+import java.util.Arrays;
+
 /**
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a motion, a quadratic through the nine values, and one step to its top.
@@ -20,6 +22,10 @@ public final class MetricFit {
     private static final double CHANGE_SIGMAS = 0.5;
     private static final int EVENT_BYTES = 12 * Integer.BYTES + Byte.BYTES;
 
+    /** Side of a tile in px, and tiles along each axis; those at the border take what lies beyond. */
+    private static final float TILE_PX = 32;
+    private static final int TILES = 64;
+
     /** Events, projected along the motion to be improved. */
     private final BilinearAccumulator grid;
     // of each event: time from the reference in s, and place from the centre of rotation in px
@@ -35,6 +41,11 @@ public final class MetricFit {
     private final ShiftProfile alongX;
     private final ShiftProfile alongY;
     private final double[] m = new double[9];
+    // tiles of the events: which one each lies on, and their middles
+    private final int[] tile;
+    private final float[] tileX = new float[TILES * TILES];
+    private final float[] tileY = new float[TILES * TILES];
+    private final int[] tileSize = new int[TILES * TILES];
 
     // frame of the projections: direction of the first axis, distances along both in px/s
     private double frameX = 1;
@@ -63,6 +74,7 @@ public final class MetricFit {
         fromX = new float[capacity];
         fromY = new float[capacity];
         along = new float[capacity];
+        tile = new int[capacity];
         time = new ShiftProfile(capacity);
         square = new ShiftProfile(capacity);
         alongX = new ShiftProfile(capacity);
@@ -330,7 +342,7 @@ public final class MetricFit {
     }
 
     /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
-    void fitAcceleration(double dirX, double dirY, double h) {
+    public void fitAcceleration(double dirX, double dirY, double h) {
         if (!squared) {
             for (int i = 0; i < grid.size(); i++) {
                 along[i] = 0.5f * tau[i] * tau[i];
@@ -342,16 +354,87 @@ public final class MetricFit {
     }
 
     /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
-    void fitRotation(double h) {
+    public void fitRotation(double h) {
+        fitRadial(fromY, -1, fromX, 1, false, h);
+    }
+
+    /** Fits the change of the rotation with neighbours h rad/s² apart; after a velocity fit around (0, 0). */
+    public void fitSpin(double h) {
+        fitRadial(fromY, -1, fromX, 1, true, h);
+    }
+
+    /** Fits the growth with neighbours h per s apart; after a velocity fit around (0, 0). */
+    public void fitGrowth(double h) {
+        fitRadial(fromX, 1, fromY, 1, false, h);
+    }
+
+    /**
+     * How clearly a rotation and a growth show within parts of the events by themselves, in standard deviations of the
+     * metric: against each tile going on as its middle does, without turning or growing. Two bodies side by side agree
+     * with some rotation and growth, but neither of them turns. After a velocity fit around (0, 0).
+     *
+     * @param dOmega rotation beyond that which the events were projected along, in rad/s
+     * @param dGrowth the same of the growth, in 1/s
+     */
+    public double localEvidence(double omega, double growth, double dOmega, double dGrowth) {
+        findTiles();
+        shiftBy(dOmega, dGrowth, 0, 0);
+        double whole = grid.metric(alongX, 1, alongY, 1);
+        shiftBy(dOmega, dGrowth, omega, growth);
+        double parts = grid.metric(alongX, 1, alongY, 1);
+        return (whole - parts) / Math.sqrt(Math.max(1, Math.max(whole, parts)));
+    }
+
+    /** Shifts events by a rotation and a growth about the centre, less one about the middles of their tiles. */
+    private void shiftBy(double omega, double growth, double lessOmega, double lessGrowth) {
         for (int i = 0; i < grid.size(); i++) {
-            along[i] = -fromY[i] * tau[i];
+            double rx = fromX[i] - tileX[tile[i]];
+            double ry = fromY[i] - tileY[tile[i]];
+            along[i] = (float) ((growth * fromX[i] - omega * fromY[i] - lessGrowth * rx + lessOmega * ry) * tau[i]);
         }
         alongX.take(along, grid.size());
         for (int i = 0; i < grid.size(); i++) {
-            along[i] = fromX[i] * tau[i];
+            double rx = fromX[i] - tileX[tile[i]];
+            double ry = fromY[i] - tileY[tile[i]];
+            along[i] = (float) ((growth * fromY[i] + omega * fromX[i] - lessGrowth * ry - lessOmega * rx) * tau[i]);
         }
         alongY.take(along, grid.size());
+    }
+
+    private void findTiles() {
+        Arrays.fill(tileX, 0);
+        Arrays.fill(tileY, 0);
+        Arrays.fill(tileSize, 0);
+        for (int i = 0; i < grid.size(); i++) {
+            int column = Math.max(0, Math.min(TILES - 1, (int) (fromX[i] / TILE_PX + TILES / 2)));
+            int row = Math.max(0, Math.min(TILES - 1, (int) (fromY[i] / TILE_PX + TILES / 2)));
+            int k = row * TILES + column;
+            tile[i] = k;
+            tileX[k] += fromX[i];
+            tileY[k] += fromY[i];
+            tileSize[k]++;
+        }
+        for (int k = 0; k < tileSize.length; k++) {
+            if (tileSize[k] > 0) {
+                tileX[k] /= tileSize[k];
+                tileY[k] /= tileSize[k];
+            }
+        }
+    }
+
+    /** Fits what shifts events by their places from the centre times the time, or half its square. */
+    private void fitRadial(float[] placeX, float signX, float[] placeY, float signY, boolean isSquare, double h) {
+        radial(placeX, signX, isSquare);
+        alongX.take(along, grid.size());
+        radial(placeY, signY, isSquare);
+        alongY.take(along, grid.size());
         fitAlong(alongX, 1, alongY, 1, h);
+    }
+
+    private void radial(float[] place, float sign, boolean isSquare) {
+        for (int i = 0; i < grid.size(); i++) {
+            along[i] = sign * place[i] * tau[i] * (isSquare ? 0.5f * tau[i] : 1);
+        }
     }
 
     private void fitAlong(ShiftProfile profileX, double x, ShiftProfile profileY, double y, double h) {

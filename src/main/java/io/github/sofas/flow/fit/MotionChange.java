@@ -4,41 +4,70 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * How the motion of a structure changes over the window that it is measured in: acceleration along and across the
- * axis that is known best, and rotation. Ours, because a velocity that is that of the middle of the window lags: by 25
- * of a pendulum's 380 px/s.
+ * How the motion of a structure differs from one velocity for all of it: acceleration along and across the axis that is
+ * known best, rotation, its change, and growth. Each is measured by projections of its own beside the motion, and
+ * believed as far as it passes what noise could be. Ours, because a velocity that is that of the middle of the window
+ * lags: by 25 of a pendulum's 380 px/s.
  */
 public final class MotionChange {
     /** Shift of the end of the window by a newly measured change that is half taken over at once, in px. */
     private static final double NEWS_PX = 1;
-    /** What is left of a change with each measurement that cannot be made. */
-    private static final double HELD = 0.8;
-    /** Distance of the projections that measure acceleration and rotation, at the end of the window. */
+    /** Shift at the end of the window by a change of the rotation that may be noise: it is known least of all. */
+    private static final double SPIN_PX = 0.15;
+    /** Part of new evidence that is taken over with each measurement. */
+    private static final double EVIDENCE_GAIN = 0.3;
+    /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
+    private static final double SURE_SIGMAS = 0.2;
+    private static final double HALF_SURE_SIGMAS = 0.14;
+    /** Distance of the projections that measure a change, at the end of the window. */
     private static final double CHANGE_PX = 1.5;
     /** Share of a newly measured change that is taken over: successive windows share most events. */
     private static final double CHANGE_GAIN = 0.5;
     /** Shift at the end of the window by a change that may be noise: most motion is steady. */
     private static final double BEND_PX = 0.07;
-    /** Knowledge along an edge, as a share of that across, at which its acceleration counts half. */
-    public static final double FLAT_CHANGE = 0.1;
+    /** Knowledge of a change, as a share of the best known, at which it counts half. */
+    private static final double FLAT_CHANGE = 0.1;
+    /** What is left of a change with each measurement that cannot be made. */
+    private static final double HELD = 0.8;
+    /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
+    private static final double LEAST_RADIUS_PX = 1;
 
     // as measured, before what may be noise is left out
     private double along;
     private double across;
     private double omega;
+    private double alpha;
+    private double growth;
     /** The acceleration across as far as it is known. */
     private double shownAcross;
-    private double turnLoss;
+    /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
+    private double evidence;
+    /** Radius of the structure when it was measured last, in px. */
+    private double radius;
+
+    /** Begins with a steady motion. */
+    public void restart() {
+        along = 0;
+        across = 0;
+        omega = 0;
+        alpha = 0;
+        growth = 0;
+        shownAcross = 0;
+        evidence = 0;
+        radius = 0;
+    }
 
     /**
      * Measures the change, from the events that the velocity was fitted to, and gives it to the motion; the velocity at
      * the reference, the middle of the window, stays.
      *
+     * @param loss gets what is known of rotation and growth
      * @param half half the window in s
-     * @param radius of the structure in px
+     * @param structureRadius of the structure in px
      */
-    public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double radius,
+    public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
                         SofasParameters.Track p) {
+        radius = structureRadius;
         if (p.acceleration()) {
             measureAcceleration(fit, motion, loss, half);
         } else {
@@ -48,8 +77,43 @@ public final class MotionChange {
             motion.ax = 0;
             motion.ay = 0;
         }
-        if (p.rotation() && radius > 1) {
-            measureRotation(fit, motion, loss, half, radius);
+        if (radius > LEAST_RADIUS_PX && (p.rotation() || p.growth())) {
+            measureTurnAndGrowth(fit, motion, loss, half, p);
+        }
+    }
+
+    private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,
+                                      SofasParameters.Track p) {
+        double most = loss.best() * radius * radius;
+        double perPx = 1 / (half * radius); // shifts both ends by one pixel at the radius
+        double turned = motion.omega;
+        double grown = motion.growth;
+        double turns = 0;
+        double newOmega = 0;
+        double newGrowth = 0;
+        if (p.rotation()) {
+            fit.fitRotation(perPx * CHANGE_PX);
+            omega = taken(omega, turned + fit.step(), perPx);
+            turns = shown(shareOf(fit.loss(), most));
+            newOmega = believed(omega, perPx, BEND_PX) * turns;
+            loss.turn = fit.loss();
+        }
+        if (p.growth()) {
+            fit.fitGrowth(perPx * CHANGE_PX);
+            growth = taken(growth, grown + fit.step(), perPx);
+            newGrowth = believed(growth, perPx, BEND_PX) * shown(shareOf(fit.loss(), most));
+            loss.grow = fit.loss();
+        }
+        double shows = fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown);
+        evidence += EVIDENCE_GAIN * (shows - evidence);
+        double sure = sure();
+        motion.omega = sure * newOmega;
+        motion.growth = sure * newGrowth;
+        if (p.rotation() && p.acceleration()) {
+            double perPxOfSpin = 2 * perPx / half;
+            fit.fitSpin(perPxOfSpin * CHANGE_PX);
+            alpha = taken(alpha, motion.alpha + fit.step(), perPxOfSpin);
+            motion.alpha = believed(alpha, perPxOfSpin, SPIN_PX) * turns * sure;
         }
     }
 
@@ -57,31 +121,25 @@ public final class MotionChange {
         double axisX = loss.axisX;
         double axisY = loss.axisY;
         double flatness = fit.flatness();
-        double acceleration = 2 / (half * half); // shifts both ends of the window by one pixel
-        double h = acceleration * CHANGE_PX;
+        double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
+        double h = perPx * CHANGE_PX;
         fit.fitAcceleration(axisX, axisY, h);
-        double newAlong = motion.ax * axisX + motion.ay * axisY + fit.step();
-        along += gain(newAlong - along, acceleration) * (newAlong - along);
+        along = taken(along, motion.ax * axisX + motion.ay * axisY + fit.step(), perPx);
         fit.fitAcceleration(-axisY, axisX, h);
-        double newAcross = motion.ay * axisX - motion.ax * axisY + fit.step();
-        across += CHANGE_GAIN * (newAcross - across);
+        across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + fit.step() - across);
         // along a straight edge nothing is known, of acceleration still less than of velocity
         double shown = shown(flatness);
         shownAcross = across * shown;
-        double a = believe(along, acceleration);
-        double b = believe(across, acceleration) * shown;
+        double a = believed(along, perPx, BEND_PX);
+        double b = believed(across, perPx, BEND_PX) * shown;
         motion.ax = a * axisX - b * axisY;
         motion.ay = a * axisY + b * axisX;
     }
 
-    private void measureRotation(MetricFit fit, Motion motion, MotionLoss loss, double half, double radius) {
-        double rotation = 1 / (half * radius); // shifts both ends by one pixel at the radius
-        fit.fitRotation(rotation * CHANGE_PX);
-        turnLoss = fit.loss();
-        double newOmega = motion.omega + fit.step();
-        omega += gain(newOmega - omega, rotation) * (newOmega - omega);
-        double shownOmega = shown(shareOf(turnLoss, loss.best() * radius * radius));
-        motion.omega = believe(omega, rotation) * shownOmega;
+    /** How far rotation and growth are those of one body, 0 to 1. */
+    private double sure() {
+        double lacking = (SURE_SIGMAS - evidence) / HALF_SURE_SIGMAS;
+        return lacking < 0 ? 1 : 1 / (1 + lacking * lacking);
     }
 
     /** Holds the motion steady where it cannot be measured, because another structure crosses or no events come. */
@@ -90,39 +148,32 @@ public final class MotionChange {
         across *= HELD;
         shownAcross *= HELD;
         omega *= HELD;
+        alpha *= HELD;
+        growth *= HELD;
         motion.ax *= HELD;
         motion.ay *= HELD;
         motion.omega *= HELD;
+        motion.alpha *= HELD;
+        motion.growth *= HELD;
     }
 
-    /** Begins with a steady motion. */
-    public void restart() {
-        along = 0;
-        across = 0;
-        omega = 0;
-        shownAcross = 0;
-        turnLoss = 0;
+    /** Goes on from a rotation and a growth that are known from elsewhere, in rad/s and 1/s. */
+    public void take(Motion known) {
+        omega = known.omega;
+        growth = known.growth;
     }
 
-    /** Goes on from a rotation that is known from elsewhere, in rad/s. */
-    public void setOmega(double known) {
-        omega = known;
-    }
-
-    /** Shift at the end of the window by the acceleration, in px. */
+    /** Shift at the end of the window by the acceleration and by the change of the rotation, in px. */
     public double bendPx(double half) {
-        return StrictMath.hypot(along, shownAcross) * half * half / 2;
+        double turned = alpha * radius;
+        return Math.sqrt(along * along + shownAcross * shownAcross + turned * turned) * half * half / 2;
     }
 
-    /** Loss of metric per (rad/s)² by another rotation. */
-    public double turnLoss() {
-        return turnLoss;
-    }
-
-    /** The share of a measured change to take over: the more, the farther it is from what noise could be. */
-    private static double gain(double news, double perPx) {
-        double px = news / perPx;
-        return CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + NEWS_PX * NEWS_PX);
+    /** A change with a new measurement of it: the more of that, the farther it is from what noise could be. */
+    private static double taken(double before, double measured, double perPx) {
+        double px = (measured - before) / perPx;
+        double gain = CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + NEWS_PX * NEWS_PX);
+        return before + gain * (measured - before);
     }
 
     /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */
@@ -132,9 +183,9 @@ public final class MotionChange {
     }
 
     /** A change that shifts the ends of the window by no more than the noise is none. */
-    private static double believe(double value, double perPx) {
+    private static double believed(double value, double perPx, double noisePx) {
         double px = value / perPx;
-        return value * shareOf(px * px, px * px + BEND_PX * BEND_PX);
+        return value * shareOf(px * px, px * px + noisePx * noisePx);
     }
 
     /** A share of what is known; where nothing is known, none. */

@@ -14,6 +14,8 @@ public final class MotionLoss {
     public double yy;
     /** Loss per (rad/s)² about the structure's centre. */
     public double turn;
+    /** Loss per (1/s)² by another growth about the structure's centre. */
+    public double grow;
     /** Direction in which the velocity is known best, a unit vector. */
     public double axisX;
     public double axisY;
@@ -25,6 +27,7 @@ public final class MotionLoss {
         xy = 0;
         yy = 0;
         turn = 0;
+        grow = 0;
         axisX = 0;
         axisY = 0;
     }
@@ -44,8 +47,9 @@ public final class MotionLoss {
         return Math.max(xx, yy);
     }
 
-    /** Loss by a velocity that differs by (dvx, dvy) and a rotation that differs by dOmega. */
-    double of(double dvx, double dvy, double dOmega) {
-        return xx * dvx * dvx + 2 * xy * dvx * dvy + yy * dvy * dvy + turn * dOmega * dOmega;
+    /** Loss by a velocity, a rotation and a growth that differ by these. */
+    double of(double dvx, double dvy, double dOmega, double dGrowth) {
+        return xx * dvx * dvx + 2 * xy * dvx * dvy + yy * dvy * dvy + turn * dOmega * dOmega
+            + grow * dGrowth * dGrowth;
     }
 }

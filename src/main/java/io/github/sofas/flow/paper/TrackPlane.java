@@ -282,7 +282,8 @@ public final class TrackPlane {
 
     /** What is known of the structure. */
     Segment segment(Segment.Fate fate, int mergedInto) {
-        return new Segment(id, firstUs, lastUs, events, vxPxPerS, vyPxPerS, minX, minY, maxX, maxY, fate, mergedInto);
+        return new Segment(id, firstUs, lastUs, events, vxPxPerS, vyPxPerS, 0, 0, minX, minY, maxX, maxY,
+            fate, mergedInto);
     }
 
     /** Lets all events go, so that the plane can serve another structure. */

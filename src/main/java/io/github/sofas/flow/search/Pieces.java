@@ -10,11 +10,22 @@ final class Pieces {
     private static final int LEAST_STRONG = 3;
     private static final int LEAST_OCCUPIED = 2;
 
+    /**
+     * Side of the parts that a piece of texture is cut into, in cells: 48 px; and the share of its box that texture
+     * fills, more than an outline does. Texture that is seen from a camera that turns or moves forward has one
+     * velocity in parts of it only; parts of one motion merge at once.
+     */
+    private static final int PART_CELLS = 24;
+    private static final double LEAST_FILL = 0.2;
+    /** Parts along an axis of the largest accumulator. */
+    private static final int PARTS = 128;
     private final FlowPlane plane;
     private final int n;
     private final int[] label;
     private final int[] fill;
     private int filled;
+    /** Number of each part that was met, 0 of the others. */
+    private final int[] partOf = new int[PARTS * PARTS];
     // events of the projection by piece, as numbers of the flow plane; piece 0 is none
     private int[] events = new int[4096];
     private int[] pieceOf = new int[4096];
@@ -61,8 +72,6 @@ final class Pieces {
     /** Numbers the pieces, from 1 on. */
     private int connect(short[] f, long squares, double thresholdSd) {
         double threshold = threshold(f, squares, thresholdSd);
-        int columns = (1 << plane.columnBits()) - 1;
-        int rows = f.length / (columns + 1) - 1;
         int pieces = 0;
         filled = 0;
         for (int c = 0; c < f.length; c++) {
@@ -70,25 +79,74 @@ final class Pieces {
                 continue;
             }
             pieces++;
-            int next = filled;
-            fill[filled++] = c;
-            label[c] = pieces;
-            while (next < filled) {
-                int d = fill[next++];
-                int x = d & columns;
-                int y = d >> plane.columnBits();
-                for (int dy = -1; dy <= 1; dy++) {
-                    for (int dx = -1; dx <= 1; dx++) {
-                        int e = (y + dy & rows) << plane.columnBits() | x + dx & columns;
-                        if (label[e] == 0 && Math.abs(f[e]) >= LEAST_OCCUPIED) {
-                            label[e] = pieces;
-                            fill[filled++] = e;
-                        }
+            int first = filled;
+            flood(f, c, pieces);
+            if (isFilled(c, first)) {
+                pieces = cut(first, pieces);
+            }
+        }
+        return pieces;
+    }
+
+    /** Gives a cell and all occupied ones that are connected to it a label. */
+    private void flood(short[] f, int c, int piece) {
+        int columns = (1 << plane.columnBits()) - 1;
+        int rows = f.length / (columns + 1) - 1;
+        int next = filled;
+        fill[filled++] = c;
+        label[c] = piece;
+        while (next < filled) {
+            int d = fill[next++];
+            int x = d & columns;
+            int y = d >> plane.columnBits();
+            for (int dy = -1; dy <= 1; dy++) {
+                for (int dx = -1; dx <= 1; dx++) {
+                    int e = (y + dy & rows) << plane.columnBits() | x + dx & columns;
+                    if (label[e] == 0 && Math.abs(f[e]) >= LEAST_OCCUPIED) {
+                        label[e] = piece;
+                        fill[filled++] = e;
                     }
                 }
             }
         }
-        return pieces;
+    }
+
+    /** Whether the cells from a place on fill a box that is longer than a part both ways: texture, not an outline. */
+    private boolean isFilled(int c, int first) {
+        int columns = 1 << plane.columnBits();
+        int rows = label.length / columns;
+        int left = 0;
+        int right = 0;
+        int up = 0;
+        int down = 0;
+        for (int i = first; i < filled; i++) {
+            // around the seed, for the accumulator is a torus
+            int dx = Math.floorMod((fill[i] & columns - 1) - (c & columns - 1) + columns / 2, columns) - columns / 2;
+            int dy = (fill[i] >> plane.columnBits()) - (c >> plane.columnBits());
+            dy = Math.floorMod(dy + rows / 2, rows) - rows / 2;
+            left = Math.min(left, dx);
+            right = Math.max(right, dx);
+            up = Math.min(up, dy);
+            down = Math.max(down, dy);
+        }
+        int width = right - left + 1;
+        int height = down - up + 1;
+        return Math.min(width, height) > PART_CELLS && filled - first > LEAST_FILL * width * height;
+    }
+
+    /** Cuts a piece into parts; returns the number of the last one. */
+    private int cut(int first, int piece) {
+        int columns = 1 << plane.columnBits();
+        Arrays.fill(partOf, 0);
+        int last = piece - 1;
+        for (int i = first; i < filled; i++) {
+            int part = (fill[i] >> plane.columnBits()) / PART_CELLS * PARTS + (fill[i] & columns - 1) / PART_CELLS;
+            if (partOf[part] == 0) {
+                partOf[part] = ++last;
+            }
+            label[fill[i]] = partOf[part];
+        }
+        return last;
     }
 
     /** Mean + w sd of the occupied cells, whose squares add up to the metric. */

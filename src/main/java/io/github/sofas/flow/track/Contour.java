@@ -1,38 +1,54 @@
 package io.github.sofas.flow.track;
 
+import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.motion.Motion;
-import io.github.sofas.flow.motion.Projection;
 import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 
 /**
- * The contour of a track plane: the cells that its live events fall on when projected to a reference time (paper,
- * section Track Plane), in pixels of the sensor at that time, ON and OFF counted apart.
+ * The contour of a track plane: the cells of its frame that its events fell on of late (paper, section Track Plane), ON
+ * and OFF counted apart. A count fades by an eighth each sixteenth of the lifetime.
  *
- * <p>Ours: an event lies on the contour when the 3 x 3 cells around it hold enough live events of its polarity; those
- * of the other polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge
- * seldom fires both ways, while what merely flickers does.
+ * <p>Ours: an event lies on the contour when the 3 x 3 cells around it hold enough events of its polarity; those of the
+ * other polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge seldom
+ * fires both ways, while what merely flickers does. Counts fade instead of being taken back event by event, and stay where
+ * they are when the motion is known a little better: so a label costs the same at any density, and all else is paid per
+ * travel.
  */
 final class Contour {
-    /** Cells around the sensor, for what leaves it between two projections. */
+    /** Cells around the sensor, for what leaves it between two anchorings. */
     static final int MARGIN = 24;
-    private static final int ONE_ON = 1;
-    private static final int ONE_OFF = 1 << 16;
-    private static final int LEAST_SUPPORT = 4;
-    /** Events are projected anew in steps of this part of a cell: far less than they jitter. */
-    private static final double STEP_PX = 1.0 / 16;
-    /** Share of the mean support that puts an event on the contour: one cell wide, it would lose events to noise. */
+    /** What an event adds to the count of its cell; greater counts stay at the most. */
+    private static final int ONE = 32;
+    private static final int MOST = Short.MAX_VALUE;
+    /** Fadings during a lifetime, each by an eighth: the mean age of a count is half the lifetime. */
+    private static final int FADINGS = 16;
+    private static final int FADING_BITS = 3;
+    /** Support of two events of half their count: fewer never put an event on the contour. */
+    private static final int LEAST_SUPPORT = 2 * ONE;
+    /** Departure of the frame from the sensor at which it is anchored anew, in px; less than the margin. */
+    private static final double FARTHEST_PX = 12;
+    /** Least shift over the lifetime by a correction of the motion for the contour to be drawn anew, in px. */
+    static final double REDRAWN_PX = 0.5;
+    /** Share of the mean support that puts an event on the contour: one a pixel wide loses events to jitter. */
     private static final double SHARE = 0.15;
+    /** Live events that threshold, centre and radius are measured from. */
+    private static final int SAMPLE = 256;
 
+    private final int sensorWidth;
+    private final int sensorHeight;
     private final int width;
     private final int height;
-    /** Live events per cell: ON in the low half, OFF in the high half. */
-    private final int[] grid;
-    private final Motion motion = new Motion();
-    private final SteppedProjection stepped = new SteppedProjection();
-    private int fixedVx;
-    private int fixedVy;
+    /** Counts of ON and OFF events by cell. */
+    private short[] on;
+    private short[] off;
+    /** Cells to anchor anew with, of any contour. */
+    private final Spare spare;
+    private final Frame frame = new Frame();
+    private final SteppedProjection past = new SteppedProjection();
+    private long fadedUs;
+
     // box of the occupied cells, a cell wider all round; beyond it there is no support
     private int minX;
     private int minY;
@@ -43,17 +59,47 @@ final class Contour {
     private double centreX;
     private double centreY;
     private double radius;
-    private double polarity;
 
-    Contour(int sensorWidth, int sensorHeight) {
-        width = sensorWidth + 2 * MARGIN;
-        height = sensorHeight + 2 * MARGIN;
-        grid = new int[width * height];
+    /** Cells that contours of one sensor use in turn while they are anchored anew. */
+    static final class Spare {
+        private short[] on;
+        private short[] off;
+
+        Spare(SensorSize sensor) {
+            on = new short[cells(sensor)];
+            off = new short[cells(sensor)];
+        }
     }
 
-    /** The motion that events are projected along until the next {@link #project}. */
-    Motion motion() {
-        return motion;
+    Contour(SensorSize sensor, Spare spare) {
+        this.spare = spare;
+        sensorWidth = sensor.width();
+        sensorHeight = sensor.height();
+        width = sensorWidth + 2 * MARGIN;
+        height = sensorHeight + 2 * MARGIN;
+        on = new short[cells(sensor)];
+        off = new short[cells(sensor)];
+        forgetBox();
+    }
+
+    private static int cells(SensorSize sensor) {
+        return (sensor.width() + 2 * MARGIN) * (sensor.height() + 2 * MARGIN);
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        return 2L * Short.BYTES * cells(sensor);
+    }
+
+    /** Begins without events, along a motion. */
+    void start(Motion along) {
+        wipe();
+        frame.anchor(along, 0);
+        fadedUs = along.referenceUs;
+        threshold = LEAST_SUPPORT;
+        centreX = 0;
+        centreY = 0;
+        radius = 0;
     }
 
     /** Least support that puts an event on the contour. */
@@ -61,7 +107,7 @@ final class Contour {
         return threshold;
     }
 
-    /** Centre of the contour at its reference time, x in px. */
+    /** Centre of the contour at the last {@link #measure}, x in px of the sensor. */
     double centreX() {
         return centreX;
     }
@@ -75,23 +121,11 @@ final class Contour {
         return radius;
     }
 
-    /** Mean polarity of the live events: 1 or -1 where all are ON or OFF, about 0 for a whole object. */
-    double polarity() {
-        return polarity;
-    }
-
-    /** Support of an event: twice the live events around its cell of its own polarity, less those of the other. */
+    /** Support of an event: twice the events of late around its cell of its own polarity, less those of the other. */
     int support(int x, int y, long timeUs, int polarity) {
-        long dt = timeUs - motion.referenceUs;
-        int cx = x + MARGIN - Projection.travelled(fixedVx, dt);
-        int cy = y + MARGIN - Projection.travelled(fixedVy, dt);
-        if (motion.omega != 0) {
-            double turn = motion.omega * dt * 1e-6;
-            double rx = cx - MARGIN - motion.centreX;
-            double ry = cy - MARGIN - motion.centreY;
-            cx += (int) Math.rint(turn * ry);
-            cy -= (int) Math.rint(turn * rx);
-        }
+        frame.advance(timeUs);
+        int cx = (int) (frame.x(x, y) + (MARGIN + 0.5));
+        int cy = (int) (frame.y(x, y) + (MARGIN + 0.5));
         if (cx < minX || cx > maxX || cy < minY || cy > maxY) {
             return 0;
         }
@@ -100,32 +134,33 @@ final class Contour {
 
     /** The box keeps one cell from the grid's border, so that the neighbours exist. */
     private int supportAt(int c, int polarity) {
-        int[] g = grid;
+        short[] own = polarity > 0 ? on : off;
+        short[] other = polarity > 0 ? off : on;
+        return 2 * around(own, c) - around(other, c);
+    }
+
+    private int around(short[] count, int c) {
         int up = c - width;
         int down = c + width;
-        // all live events together are fewer than 65,536, so neither half overflows
-        int sum = g[up - 1] + g[up] + g[up + 1] + g[c - 1] + g[c] + g[c + 1] + g[down - 1] + g[down] + g[down + 1];
-        int on = sum & ONE_OFF - 1;
-        int off = sum >>> 16;
-        return polarity > 0 ? 2 * on - off : 2 * off - on;
+        return count[up - 1] + count[up] + count[up + 1] + count[c - 1] + count[c] + count[c + 1]
+            + count[down - 1] + count[down] + count[down + 1];
     }
 
-    /** Counts a live event on its cell. */
-    void add(LiveEvents live, int i) {
-        motion.project(live.x[i], live.y[i], live.timeUs[i]);
-        count(live, i, motion.x, motion.y);
+    /** Counts an event on its cell. */
+    void add(int x, int y, long timeUs, int polarity) {
+        frame.advance(timeUs);
+        count(frame.x(x, y), frame.y(x, y), polarity, ONE);
     }
 
-    private void count(LiveEvents live, int i, double x, double y) {
+    private void count(double x, double y, int polarity, int weight) {
         int cx = (int) (x + (MARGIN + 0.5));
         int cy = (int) (y + (MARGIN + 0.5));
         if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1) {
-            live.cell[i] = -1;
             return;
         }
         int c = cy * width + cx;
-        live.cell[i] = c;
-        grid[c] += live.sign[i] > 0 ? ONE_ON : ONE_OFF;
+        short[] counts = polarity > 0 ? on : off;
+        counts[c] = (short) Math.min(MOST, counts[c] + weight);
         include(cx, cy);
     }
 
@@ -144,25 +179,6 @@ final class Contour {
         }
     }
 
-    /** Takes a live event off its cell. */
-    void remove(LiveEvents live, int i) {
-        if (live.cell[i] >= 0) {
-            grid[live.cell[i]] -= live.sign[i] > 0 ? ONE_ON : ONE_OFF;
-        }
-    }
-
-    /** Empties the cells of all live events. */
-    void clear(LiveEvents live) {
-        for (int k = 0; k < live.size(); k++) {
-            int c = live.cell[live.index(k)];
-            if (c >= 0) {
-                grid[c] = 0;
-            }
-        }
-        forgetBox();
-        threshold = LEAST_SUPPORT;
-    }
-
     private void forgetBox() {
         minX = width;
         minY = height;
@@ -170,117 +186,210 @@ final class Contour {
         maxY = 0;
     }
 
-    private void follow(Motion along) {
-        motion.copyFrom(along);
-        fixedVx = Projection.fixed(motion.vx);
-        fixedVy = Projection.fixed(motion.vy);
+    /** Lets the counts fade as far as is due. */
+    void fade(long nowUs, long lifetimeUs) {
+        long dueUs = Math.max(1, lifetimeUs / FADINGS);
+        if (isEmpty()) {
+            fadedUs = nowUs;
+        }
+        if (nowUs - fadedUs < dueUs) {
+            return;
+        }
+        int times = (int) Math.min(2 * FADINGS, (nowUs - fadedUs) / dueUs);
+        fadedUs = nowUs;
+        int fromX = minX;
+        int toX = maxX;
+        int toY = maxY;
+        int fromY = minY;
+        int oldLeft = minX;
+        forgetBox();
+        for (int cy = fromY; cy <= toY; cy++) {
+            int from = cy * width + fromX;
+            int to = cy * width + toX;
+            for (int k = 0; k < times; k++) {
+                fade(on, from, to);
+                fade(off, from, to);
+            }
+            includeRow(cy, from, to, oldLeft);
+        }
     }
 
-    /** Projects all live events anew, along another motion. */
-    void project(LiveEvents live, Motion along) {
-        int lastMinX = minX;
-        int lastMinY = minY;
-        int lastMaxX = maxX;
-        int lastMaxY = maxY;
-        clear(live);
-        follow(along);
-        if (live.size() > 0) {
-            stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
+    private static void fade(short[] count, int from, int to) {
+        for (int c = from; c <= to; c++) {
+            count[c] = (short) (count[c] - (count[c] + (1 << FADING_BITS) - 1 >> FADING_BITS));
         }
-        for (int k = 0; k < live.size(); k++) {
-            int i = live.index(k);
-            stepped.advance(live.timeUs[i]);
-            count(live, i, stepped.x(live.x[i], live.y[i]), stepped.y(live.x[i], live.y[i]));
-        }
-        if (minX > maxX && live.size() > 0) {
-            // all have left the grid: the structure was seen last where it was
-            minX = lastMinX;
-            minY = lastMinY;
-            maxX = lastMaxX;
-            maxY = lastMaxY;
-        }
-        measure(live);
     }
 
-    /**
-     * Lists where the contour runs at its reference time, from its centre in px.
-     *
-     * @return how many points there are, also where there is not room for all
-     */
-    int list(float[] x, float[] y) {
-        int n = 0;
-        for (int cy = minY; cy <= maxY; cy++) {
-            for (int cx = minX; cx <= maxX; cx++) {
-                if (isContour(cy * width + cx)) {
-                    if (n < x.length) {
-                        x[n] = (float) (cx - MARGIN - centreX);
-                        y[n] = (float) (cy - MARGIN - centreY);
+    private void includeRow(int cy, int from, int to, int left) {
+        int first = from;
+        while (first <= to && (on[first] | off[first]) == 0) {
+            first++;
+        }
+        if (first > to) {
+            return;
+        }
+        int last = to;
+        while ((on[last] | off[last]) == 0) {
+            last--;
+        }
+        include(left + first - from, cy);
+        include(left + last - from, cy);
+    }
+
+    /** Follows another motion from its reference on. */
+    void follow(Motion along) {
+        frame.follow(along, radius);
+        double fromX = frame.toReferenceX(minX - MARGIN, minY - MARGIN);
+        double fromY = frame.toReferenceY(minX - MARGIN, minY - MARGIN);
+        double toX = frame.toReferenceX(maxX - MARGIN, maxY - MARGIN);
+        double toY = frame.toReferenceY(maxX - MARGIN, maxY - MARGIN);
+        if (minX <= maxX && (frame.departurePx(fromX, fromY) > FARTHEST_PX
+                || frame.departurePx(toX, toY) > FARTHEST_PX)) {
+            anchor();
+        }
+    }
+
+    /** Anchors the frame anew: each cell takes over the counts of the cell that was where it is. */
+    private void anchor() {
+        short[] fromOn = on;
+        short[] fromOff = off;
+        int oldMinX = minX;
+        int oldMinY = minY;
+        int oldMaxX = maxX;
+        int oldMaxY = maxY;
+        on = spare.on;
+        off = spare.off;
+        spare.on = fromOn;
+        spare.off = fromOff;
+        int dx = (int) Math.rint(frame.shiftX());
+        int dy = (int) Math.rint(frame.shiftY());
+        boolean shifted = frame.isOnlyShifted();
+        double left = Double.MAX_VALUE;
+        double right = -Double.MAX_VALUE;
+        double top = Double.MAX_VALUE;
+        double bottom = -Double.MAX_VALUE;
+        for (int corner = 0; corner < 4; corner++) {
+            double x = ((corner & 1) == 0 ? oldMinX : oldMaxX) - MARGIN;
+            double y = ((corner & 2) == 0 ? oldMinY : oldMaxY) - MARGIN;
+            double nx = shifted ? x - dx : frame.toReferenceX(x, y);
+            double ny = shifted ? y - dy : frame.toReferenceY(x, y);
+            left = Math.min(left, nx);
+            right = Math.max(right, nx);
+            top = Math.min(top, ny);
+            bottom = Math.max(bottom, ny);
+        }
+        int fromX = Math.max(1, (int) Math.floor(left) + MARGIN);
+        int toX = Math.min(width - 2, (int) Math.ceil(right) + MARGIN);
+        int fromY = Math.max(1, (int) Math.floor(top) + MARGIN);
+        int toY = Math.min(height - 2, (int) Math.ceil(bottom) + MARGIN);
+        forgetBox();
+        for (int cy = fromY; cy <= toY; cy++) {
+            for (int cx = fromX; cx <= toX; cx++) {
+                int ox;
+                int oy;
+                if (shifted) {
+                    ox = cx + dx;
+                    oy = cy + dy;
+                } else {
+                    ox = (int) Math.rint(frame.fromReferenceX(cx - MARGIN, cy - MARGIN)) + MARGIN;
+                    oy = (int) Math.rint(frame.fromReferenceY(cx - MARGIN, cy - MARGIN)) + MARGIN;
+                }
+                if (ox >= oldMinX && ox <= oldMaxX && oy >= oldMinY && oy <= oldMaxY) {
+                    int c = cy * width + cx;
+                    int o = oy * width + ox;
+                    on[c] = fromOn[o];
+                    off[c] = fromOff[o];
+                    if ((on[c] | off[c]) != 0) {
+                        include(cx, cy);
                     }
-                    n++;
                 }
             }
         }
-        return n;
+        wipe(fromOn, fromOff, oldMinX, oldMinY, oldMaxX, oldMaxY);
+        if (shifted) {
+            frame.shift(-dx, -dy);
+        } else {
+            frame.anchorAgain();
+        }
     }
 
-    /** Whether an event of either polarity on an occupied cell is on the contour. */
-    private boolean isContour(int c) {
-        return grid[c] != 0 && Math.max(supportAt(c, 1), supportAt(c, -1)) >= threshold;
-    }
-
-    /**
-     * Draws a contour that does not depend on live events, and takes events of either polarity.
-     *
-     * @param x places of its points from the centre of a motion, before they turned by an angle
-     * @param knownRadius of the structure
-     */
-    void draw(float[] x, float[] y, int n, Motion along, double angle, double knownRadius) {
-        wipe();
-        follow(along);
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
-        for (int i = 0; i < n; i++) {
-            int cx = (int) Math.rint(motion.centreX + cos * x[i] - sin * y[i]) + MARGIN;
-            int cy = (int) Math.rint(motion.centreY + sin * x[i] + cos * y[i]) + MARGIN;
-            if (cx >= 1 && cy >= 1 && cx < width - 1 && cy < height - 1) {
-                // as many of both that two cells near are enough: an edge passes through as many
-                grid[cy * width + cx] = LEAST_SUPPORT / 2 * (ONE_ON + ONE_OFF);
-                include(cx, cy);
+    /** Takes over the counts of another contour of the sensor, which is left to be wiped. */
+    void absorb(Contour other, Motion along) {
+        frame.follow(along, radius);
+        anchor();
+        other.frame.follow(along, other.radius);
+        other.anchor();
+        for (int cy = other.minY; cy <= other.maxY; cy++) {
+            for (int cx = other.minX; cx <= other.maxX; cx++) {
+                int c = cy * width + cx;
+                on[c] = (short) Math.min(MOST, on[c] + other.on[c]);
+                off[c] = (short) Math.min(MOST, off[c] + other.off[c]);
             }
         }
-        threshold = LEAST_SUPPORT;
-        centreX = motion.centreX;
-        centreY = motion.centreY;
-        radius = knownRadius;
+        if (!other.isEmpty()) {
+            include(other.minX, other.minY);
+            include(other.maxX, other.maxY);
+        }
+    }
+
+    /** Draws the contour anew from the live events, along a motion. */
+    void draw(LiveEvents live, Motion along, long lifetimeUs) {
+        wipe();
+        frame.anchor(along, radius);
+        fadedUs = along.referenceUs;
+        if (live.size() == 0) {
+            return;
+        }
+        past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
+        long halfUs = Math.max(1, lifetimeUs / 2);
+        for (int k = 0; k < live.size(); k++) {
+            int i = live.index(k);
+            past.advance(live.timeUs[i]);
+            // as if it had faded since: to half after 0.7 of half the lifetime
+            int weight = (int) (ONE * halfUs / (halfUs + (along.referenceUs - live.timeUs[i])));
+            count(past.x(live.x[i], live.y[i]), past.y(live.x[i], live.y[i]), live.sign[i], weight);
+        }
     }
 
     /** Empties all cells. */
     void wipe() {
-        for (int cy = minY; cy <= maxY; cy++) {
-            Arrays.fill(grid, cy * width + minX, cy * width + maxX + 1, 0);
-        }
+        wipe(on, off, minX, minY, maxX, maxY);
         forgetBox();
     }
 
-    /** Measures threshold, centre and radius from some 256 of the live events. */
-    private void measure(LiveEvents live) {
+    private void wipe(short[] countsOn, short[] countsOff, int fromX, int fromY, int toX, int toY) {
+        for (int cy = fromY; cy <= toY; cy++) {
+            Arrays.fill(countsOn, cy * width + fromX, cy * width + toX + 1, (short) 0);
+            Arrays.fill(countsOff, cy * width + fromX, cy * width + toX + 1, (short) 0);
+        }
+    }
+
+    /**
+     * Measures threshold, centre and radius from some of the live events.
+     *
+     * @param along the motion that the contour follows, with its reference at now
+     */
+    void measure(LiveEvents live, Motion along) {
+        int n = 0;
         long support = 0;
-        int signs = 0;
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
-        int n = 0;
-        int stride = Math.max(1, live.size() / 256);
+        int stride = Math.max(1, live.size() / SAMPLE);
+        if (live.size() > 0) {
+            past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
+        }
         for (int k = 0; k < live.size(); k += stride) {
             int i = live.index(k);
-            int c = live.cell[i];
-            if (c < 0) {
+            past.advance(live.timeUs[i]);
+            double x = past.x(live.x[i], live.y[i]);
+            double y = past.y(live.x[i], live.y[i]);
+            int cx = (int) (frame.fromReferenceX(x, y) + (MARGIN + 0.5));
+            int cy = (int) (frame.fromReferenceY(x, y) + (MARGIN + 0.5));
+            if (cx < minX || cx > maxX || cy < minY || cy > maxY) {
                 continue;
             }
-            support += supportAt(c, live.sign[i]);
-            signs += live.sign[i];
-            int x = column(c);
-            int y = row(c);
+            support += supportAt(cy * width + cx, live.sign[i]);
             sumX += x;
             sumY += y;
             squares += x * x + y * y;
@@ -288,29 +397,31 @@ final class Contour {
         }
         if (n == 0) {
             radius = 0;
-            polarity = 0;
             return;
         }
         threshold = Math.max(LEAST_SUPPORT, (int) (SHARE * support / n));
-        polarity = (double) signs / n;
         centreX = sumX / n;
         centreY = sumY / n;
         radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));
     }
 
+    /** Whether an event of either polarity on an occupied cell is on the contour. */
+    private boolean isContour(int c) {
+        return (on[c] | off[c]) != 0 && Math.max(supportAt(c, 1), supportAt(c, -1)) >= threshold;
+    }
+
     /** Shows the occupied cells that would put an event of either polarity on the contour, carried on to a time. */
     void show(long nowUs, PixelConsumer pixels) {
-        long dt = nowUs - motion.referenceUs;
-        int travelX = Projection.travelled(fixedVx, dt) - MARGIN;
-        int travelY = Projection.travelled(fixedVy, dt) - MARGIN;
-        double turn = motion.omega * dt * 1e-6;
+        Motion motion = frame.motion();
+        double dt = (nowUs - motion.referenceUs) * 1e-6;
         for (int cy = minY; cy <= maxY; cy++) {
             for (int cx = minX; cx <= maxX; cx++) {
-                int c = cy * width + cx;
-                if (isContour(c)) {
-                    int x = cx + travelX - (int) Math.rint(turn * (cy - MARGIN - motion.centreY));
-                    int y = cy + travelY + (int) Math.rint(turn * (cx - MARGIN - motion.centreX));
-                    if (x >= 0 && x < width - 2 * MARGIN && y >= 0 && y < height - 2 * MARGIN) {
+                if (isContour(cy * width + cx)) {
+                    double px = frame.toReferenceX(cx - MARGIN, cy - MARGIN);
+                    double py = frame.toReferenceY(cx - MARGIN, cy - MARGIN);
+                    int x = (int) Math.rint(px + dt * motion.vxAt((int) px, (int) py, motion.referenceUs));
+                    int y = (int) Math.rint(py + dt * motion.vyAt((int) px, (int) py, motion.referenceUs));
+                    if (x >= 0 && x < sensorWidth && y >= 0 && y < sensorHeight) {
                         pixels.accept(x, y);
                     }
                 }
@@ -318,41 +429,42 @@ final class Contour {
         }
     }
 
-    /** Where a cell lies at the reference time: a column of the sensor, which it may leave by the margin. */
-    int column(int cell) {
-        return cell % width - MARGIN;
+    /** Side of the box at a time, in px; a column of the sensor, which it may leave. */
+    double left(long nowUs) {
+        return edgeX(minX + 1) + travelX(nowUs);
     }
 
-    /** The same, a row. */
-    int row(int cell) {
-        return cell / width - MARGIN;
+    double right(long nowUs) {
+        return edgeX(maxX - 1) + travelX(nowUs);
     }
 
-    /** Side of the box at the reference time, in px; a column of the sensor, which it may leave by the margin. */
-    int left() {
-        return minX + 1 - MARGIN;
+    double top(long nowUs) {
+        return edgeY(minY + 1) + travelY(nowUs);
     }
 
-    int top() {
-        return minY + 1 - MARGIN;
+    double bottom(long nowUs) {
+        return edgeY(maxY - 1) + travelY(nowUs);
     }
 
-    int right() {
-        return maxX - 1 - MARGIN;
+    private double edgeX(int cx) {
+        return frame.toReferenceX(cx - MARGIN, (minY + maxY) / 2.0 - MARGIN);
     }
 
-    int bottom() {
-        return maxY - 1 - MARGIN;
+    private double edgeY(int cy) {
+        return frame.toReferenceY((minX + maxX) / 2.0 - MARGIN, cy - MARGIN);
     }
 
-    /** Way to the right that its centre has gone since its reference time, in px. */
-    double travelX(long nowUs) {
-        return motion.vx * (nowUs - motion.referenceUs) * 1e-6;
+    private double travelX(long nowUs) {
+        return frame.motion().vx * (nowUs - frame.motion().referenceUs) * 1e-6;
     }
 
-    /** The same, downwards. */
-    double travelY(long nowUs) {
-        return motion.vy * (nowUs - motion.referenceUs) * 1e-6;
+    private double travelY(long nowUs) {
+        return frame.motion().vy * (nowUs - frame.motion().referenceUs) * 1e-6;
+    }
+
+    /** Whether no cell is occupied. */
+    boolean isEmpty() {
+        return minX > maxX;
     }
 
     /** Longer side of the box in px. */

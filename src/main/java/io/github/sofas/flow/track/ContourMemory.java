@@ -4,9 +4,9 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * What a structure has looked like: where its contour was seen, in coordinates that travel and turn with it, remembered
- * for a while after its live events have gone. Ours, because an edge that was hidden, or that moved along itself, would
- * else come back as a structure of its own.
+ * What a structure has looked like: where its contour was seen, in coordinates that travel, turn and grow with it,
+ * remembered for a while after its live events have gone. Ours, because an edge that was hidden, or that moved along
+ * itself, would else come back as a structure of its own.
  *
  * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last.
  */
@@ -18,6 +18,8 @@ final class ContourMemory {
     private static final int NEVER = Integer.MIN_VALUE / 2;
     /** Cells of the four around an event that must be remembered: an edge passes through two. */
     private static final int LEAST_CELLS = 2;
+    /** Cells along a side of a tile, which has 8 px. */
+    private static final int TILE_CELLS = 4;
 
     private final int columnBits;
     private final int maskX;
@@ -29,6 +31,8 @@ final class ContourMemory {
     private double originX;
     private double originY;
     private double angle;
+    private double scale;
+    // of a turn back by the angle, and a scaling back
     private double cos;
     private double sin;
     private int memoryTicks;
@@ -62,8 +66,8 @@ final class ContourMemory {
         originY = 0;
         memoryTicks = 0;
         angle = 0;
-        cos = 1;
-        sin = 0;
+        scale = 1;
+        turnTo(0);
         epochUs = now.referenceUs;
         minX = Integer.MAX_VALUE;
         minY = Integer.MAX_VALUE;
@@ -84,16 +88,18 @@ final class ContourMemory {
         double rx = originX - (now.centreX - travelX);
         double ry = originY - (now.centreY - travelY);
         double turn = now.omega * dt;
-        originX += travelX - turn * (ry + 0.5 * turn * rx);
-        originY += travelY + turn * (rx - 0.5 * turn * ry);
+        double grown = now.growth * dt;
+        originX += travelX - turn * (ry + 0.5 * turn * rx) + grown * (rx + 0.5 * grown * rx - turn * ry);
+        originY += travelY + turn * (rx - 0.5 * turn * ry) + grown * (ry + 0.5 * grown * ry + turn * rx);
+        scale *= 1 + grown * (1 + 0.5 * grown);
         turnTo(angle + turn);
         goOn(now, memoryUs);
     }
 
     private void turnTo(double newAngle) {
         angle = newAngle;
-        cos = StrictMath.cos(angle);
-        sin = StrictMath.sin(angle);
+        cos = StrictMath.cos(angle) / scale;
+        sin = StrictMath.sin(angle) / scale;
     }
 
     private void goOn(Motion now, long memoryUs) {
@@ -109,15 +115,16 @@ final class ContourMemory {
     private void locate(double x, double y, double dt) {
         double rx = x - originX - motion.vx * dt;
         double ry = y - originY - motion.vy * dt;
-        if (angle != 0 || motion.omega != 0) {
+        if (angle != 0 || motion.omega != 0 || scale != 1 || motion.growth != 0) {
             // the origin moves with the structure, about the centre
             double ox = originX - motion.centreX;
             double oy = originY - motion.centreY;
             double turn = motion.omega * dt;
-            rx += turn * oy;
-            ry -= turn * ox;
-            double c = cos - turn * sin;
-            double s = sin + turn * cos;
+            double grown = motion.growth * dt;
+            rx += turn * oy - grown * ox;
+            ry -= turn * ox + grown * oy;
+            double c = (cos - turn * sin) * (1 - grown);
+            double s = (sin + turn * cos) * (1 - grown);
             double t = c * rx + s * ry;
             ry = c * ry - s * rx;
             rx = t;
@@ -126,9 +133,19 @@ final class ContourMemory {
         cellY = ry * 0.5;
     }
 
-    /** Remembers a place of the sensor at the reference time as the structure's, seen at a time before. */
-    void see(double x, double y, long timeUs) {
-        locate(x, y, 0);
+    /** Hash of the tile of the structure that an event lies on. */
+    int tile(int x, int y, long timeUs) {
+        locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
+        int column = Math.floorDiv((int) Math.floor(cellX), TILE_CELLS);
+        int row = Math.floorDiv((int) Math.floor(cellY), TILE_CELLS);
+        int hash = column * 0x9E3779B1 ^ row * 0x85EBCA6B;
+        hash = (hash ^ hash >>> 15) * 0x2C1B3C6D;
+        return hash ^ hash >>> 13;
+    }
+
+    /** Remembers where an event lies as a place of the structure. */
+    void see(int x, int y, long timeUs) {
+        locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
         int cx = (int) Math.floor(cellX);
         int cy = (int) Math.floor(cellY);
         minX = Math.min(minX, cx);

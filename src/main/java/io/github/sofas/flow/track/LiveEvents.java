@@ -1,29 +1,38 @@
 package io.github.sofas.flow.track;
 
 /**
- * The live events of a track plane, a ring in order of time. A full ring lets its oldest event go, so that memory is
- * bounded; a structure of that many events needs no more to be measured.
+ * The live events of a track plane that its motion is measured from, a ring in order of time: those of the time in
+ * which it travels its lifetime.
+ *
+ * <p>Ours: what must be bounded is memory, and what must be kept is travel. A dense structure is measured on a part of
+ * it: only events of some of its tiles are taken, half of the tiles after each time that the ring is full. Of whole
+ * tiles, because thinning events one by one thins their meetings by the square.
  */
 final class LiveEvents {
     static final int CAPACITY = 1 << 14;
     /** Bytes of its arrays. */
-    static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + 3 * Byte.BYTES + Integer.BYTES);
+    static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES);
     private static final int MASK = CAPACITY - 1;
+    /** Part of the events that must stay, and that must go, for the tiles to be halved. */
+    private static final int LEAST_PART = 4;
+    /** Tiles are halved no further than this many times. */
+    private static final int MOST_HALVINGS = 12;
 
     final long[] timeUs = new long[CAPACITY];
     final short[] x = new short[CAPACITY];
     final short[] y = new short[CAPACITY];
     /** +1 or -1. */
     final byte[] sign = new byte[CAPACITY];
-    /** Whether two planes claimed the event: it shows nothing of the motion of either. */
-    final boolean[] shared = new boolean[CAPACITY];
-    /** Whether no live event was near, only the memory of some: it may be noise, and shows nothing of the motion. */
-    final boolean[] remembered = new boolean[CAPACITY];
-    /** Cell of the contour that the event is counted on, or -1. */
-    final int[] cell = new int[CAPACITY];
+    /** Why the event was taken. */
+    final Claim[] claim = new Claim[CAPACITY];
+    /** Hash of the tile that the event lies on. */
+    private final int[] tile = new int[CAPACITY];
 
     private int head;
     private int size;
+    private int halvings;
+    /** Events for which it is not asked again whether tiles can be halved. */
+    private int refused;
 
     int size() {
         return size;
@@ -31,6 +40,16 @@ final class LiveEvents {
 
     boolean isFull() {
         return size == CAPACITY;
+    }
+
+    /** The structure's events to those that are taken. */
+    int thinning() {
+        return 1 << halvings;
+    }
+
+    /** Whether events of a tile are taken. */
+    boolean takes(int tileHash) {
+        return (tileHash & (1 << halvings) - 1) == 0;
     }
 
     /** Index into the arrays of the k-th event, 0 the oldest. */
@@ -46,58 +65,96 @@ final class LiveEvents {
         return timeUs[index(size - 1)];
     }
 
-    /** How many events are later than a time. */
-    int since(long fromUs) {
-        int low = 0;
-        int high = size;
-        while (low < high) {
-            int middle = low + high >>> 1;
-            if (timeUs[index(middle)] > fromUs) {
-                high = middle;
-            } else {
-                low = middle + 1;
-            }
+    /** Appends an event of a tile that is taken; where there is no room, half of the tiles are given up first. */
+    void add(int eventX, int eventY, long eventUs, int polarity, Claim why, int tileHash) {
+        if (isFull()) {
+            makeRoom();
         }
-        return size - low;
+        if (!takes(tileHash)) {
+            return;
+        }
+        put(eventX, eventY, eventUs, polarity, why, tileHash);
     }
 
-    /** Appends an event, not on a contour yet, and returns its index. */
-    int add(int eventX, int eventY, long eventUs, int polarity, boolean isShared, boolean isRemembered) {
+    private void put(int eventX, int eventY, long eventUs, int polarity, Claim why, int tileHash) {
         int i = head & MASK;
         timeUs[i] = eventUs;
         x[i] = (short) eventX;
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
-        shared[i] = isShared;
-        remembered[i] = isRemembered;
-        cell[i] = -1;
+        claim[i] = why;
+        tile[i] = tileHash;
         head = head + 1 & MASK;
         size++;
-        return i;
     }
 
-    /** Lets the oldest event go. */
-    void removeOldest() {
-        size--;
+    /** Halves the tiles where about half of the events stay; of a structure of few tiles the oldest event goes. */
+    private void makeRoom() {
+        if (refused > 0) {
+            refused--;
+            size--;
+            return;
+        }
+        int staying = 0;
+        int rest = (1 << halvings + 1) - 1;
+        for (int k = 0; k < size; k++) {
+            staying += (tile[index(k)] & rest) == 0 ? 1 : 0;
+        }
+        if (halvings < MOST_HALVINGS && staying > size / LEAST_PART && staying < size - size / LEAST_PART) {
+            halve();
+        } else {
+            refused = CAPACITY / LEAST_PART;
+            size--;
+        }
+    }
+
+    private void halve() {
+        halvings++;
+        int n = size;
+        int from = head - n;
+        head = from;
+        size = 0;
+        for (int k = 0; k < n; k++) {
+            int i = from + k & MASK;
+            if (takes(tile[i])) {
+                put(x[i], y[i], timeUs[i], sign[i], claim[i], tile[i]);
+            }
+        }
+    }
+
+    /** Takes events of twice as many tiles where those that are taken leave the ring nearly empty. */
+    void widen() {
+        if (halvings > 0 && size < CAPACITY / 4) {
+            halvings--;
+        }
+    }
+
+    /** Lets the events before a time go. */
+    void expire(long beforeUs) {
+        while (size > 0 && oldestUs() < beforeUs) {
+            size--;
+        }
     }
 
     void clear() {
         size = 0;
+        halvings = 0;
+        refused = 0;
     }
 
-    /** Takes over the events of two others, in order of time; the oldest go where they are too many. */
+    /** Takes over the events of two others, in order of time, of the tiles that both take. */
     void fillFrom(LiveEvents a, LiveEvents b) {
         clear();
+        halvings = Math.max(a.halvings, b.halvings);
         int ka = 0;
         int kb = 0;
         while (ka < a.size || kb < b.size) {
             boolean first = kb == b.size || ka < a.size && a.timeUs[a.index(ka)] <= b.timeUs[b.index(kb)];
             LiveEvents from = first ? a : b;
             int i = from.index(first ? ka++ : kb++);
-            if (isFull()) {
-                removeOldest();
+            if (takes(from.tile[i])) {
+                add(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.claim[i], from.tile[i]);
             }
-            add(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.shared[i], from.remembered[i]);
         }
     }
 }

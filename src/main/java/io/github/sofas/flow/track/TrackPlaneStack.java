@@ -37,13 +37,13 @@ public final class TrackPlaneStack {
     private TrackPlane[] planes;
     private final List<TrackPlane> unused = new ArrayList<>();
     private LiveEvents spare = new LiveEvents();
+    private final Contour.Spare spareCells;
     private final CommonMotion common = new CommonMotion();
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
-    // of the event matched last
-    private boolean shared;
-    private boolean remembered;
+    /** Why the event matched last is its plane's. */
+    private Claim claim;
 
     /** Makes an empty stack that reports segments when they end. */
     public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, Consumer<Segment> ended) {
@@ -51,13 +51,14 @@ public final class TrackPlaneStack {
         this.p = p;
         this.fit = fit;
         this.ended = ended;
+        spareCells = new Contour.Spare(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
     }
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more ring, for merging
-        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES;
+        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor);
     }
 
     /** The plane that an event belongs to, or null. */
@@ -79,13 +80,13 @@ public final class TrackPlaneStack {
                 }
             }
         }
-        remembered = best == null;
-        if (remembered) {
-            shared = false;
+        if (best == null) {
+            claim = Claim.REMEMBERED;
             return remembering(x, y, timeUs);
         }
-        shared = secondRate > SHARED_SCORE * bestRate
+        boolean isShared = secondRate > SHARED_SCORE * bestRate
             || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
+        claim = isShared ? Claim.SHARED : Claim.OWN;
         return best;
     }
 
@@ -114,7 +115,7 @@ public final class TrackPlaneStack {
 
     /** Gives the event matched last to its plane. */
     public void take(TrackPlane plane, int x, int y, long timeUs, int polarity) {
-        plane.take(x, y, timeUs, polarity, shared, remembered, fit);
+        plane.take(x, y, timeUs, polarity, claim, fit);
     }
 
     /** From time to time removes planes whose structures are gone, and merges those that describe one structure. */
@@ -124,7 +125,7 @@ public final class TrackPlaneStack {
         }
         nextCheckUs = nowUs + CHECK_US;
         for (int i = size - 1; i >= 0; i--) {
-            if (planes[i].isGone(nowUs, sensor)) {
+            if (planes[i].update(nowUs) == TrackPlane.State.ENDED) {
                 end(i, Segment.Fate.REMOVED, 0);
             } else {
                 planes[i].measureIfLate(fit, nowUs);
@@ -151,7 +152,7 @@ public final class TrackPlaneStack {
     }
 
     private void end(int i, Segment.Fate fate, int mergedInto) {
-        ended.accept(planes[i].segment(sensor.width(), sensor.height(), fate, mergedInto));
+        ended.accept(planes[i].segment(fate, mergedInto));
         release(i);
     }
 
@@ -170,7 +171,7 @@ public final class TrackPlaneStack {
 
     /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
     public TrackPlane create(long nowUs, double vx, double vy) {
-        TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor.width(), sensor.height(), p)
+        TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor, spareCells, p)
             : unused.remove(unused.size() - 1);
         plane.start(nextId++, nowUs, vx, vy);
         return plane;
@@ -193,7 +194,7 @@ public final class TrackPlaneStack {
     public List<Segment> segments() {
         List<Segment> segments = new ArrayList<>();
         for (int i = 0; i < size; i++) {
-            segments.add(planes[i].segment(sensor.width(), sensor.height(), Segment.Fate.ALIVE, 0));
+            segments.add(planes[i].segment(Segment.Fate.ALIVE, 0));
         }
         return segments;
     }

@@ -7,7 +7,7 @@ import static org.junit.Assert.assertTrue;
 import io.github.sofas.flow.motion.Motion;
 import org.junit.Test;
 
-/** The rigid motion that serves two structures best. */
+/** The motion of one body that serves two structures best. */
 public class CommonMotionTest {
     private static final double TINY = 1e-9;
 
@@ -21,7 +21,14 @@ public class CommonMotionTest {
         return motion;
     }
 
-    /** Of a metric of 1,000. */
+    /** The same, growing. */
+    private static Motion motion(double x, double y, double vx, double vy, double omega, double growth) {
+        Motion motion = motion(x, y, vx, vy, omega);
+        motion.growth = growth;
+        return motion;
+    }
+
+    /** Of a metric of 1,000; nothing is known of growth. */
     private static MotionLoss loss(double xx, double xy, double yy, double turn) {
         MotionLoss loss = new MotionLoss();
         loss.metric = 1000;
@@ -29,6 +36,13 @@ public class CommonMotionTest {
         loss.xy = xy;
         loss.yy = yy;
         loss.turn = turn;
+        return loss;
+    }
+
+    /** The same with knowledge of growth. */
+    private static MotionLoss loss(double xx, double xy, double yy, double turn, double grow) {
+        MotionLoss loss = loss(xx, xy, yy, turn);
+        loss.grow = grow;
         return loss;
     }
 
@@ -44,9 +58,90 @@ public class CommonMotionTest {
         assertEquals(50, common.motion().centreX, TINY);
         assertEquals(40, common.motion().centreY, TINY);
         assertEquals(0, common.lost(), TINY);
-        // but no common velocity: each would lose 20² of 1,000
-        assertTrue(common.fitVelocity(motion(60, 40, 0, 20, 2), all, motion(40, 40, 0, -20, 2), all, 0));
+        // each shows the rotation by itself: without it it would lose 2² of 1,000
+        assertEquals(0.004, common.leastShown(), TINY);
+    }
+
+    @Test
+    public void twoHalvesThatAreNotSeenToTurnHaveNoCommonVelocity() {
+        // each would lose 20² of 1,000
+        CommonMotion common = new CommonMotion();
+        MotionLoss all = loss(1, 0, 1, 1);
+        assertTrue(common.fitVelocity(motion(60, 40, 0, 20, 0), all, motion(40, 40, 0, -20, 0), all, 0));
+        assertEquals(0, common.motion().vy, TINY);
         assertEquals(0.4, common.lost(), TINY);
+        assertEquals(0, common.leastShown(), TINY);
+    }
+
+    @Test
+    public void twoPartsOfWhatComesNearerAreOneBody() {
+        // growth of 2 1/s about (50, 40): 10 px to the right of it 20 px/s to the right, 5 px above it 10 px/s up
+        CommonMotion common = new CommonMotion();
+        MotionLoss all = loss(1, 0, 1, 1, 3);
+        assertTrue(common.fit(motion(60, 40, 20, 0, 0, 2), all, motion(50, 35, 0, -10, 0, 2), all, 0));
+        assertEquals(0, common.motion().omega, TINY);
+        assertEquals(2, common.motion().growth, TINY);
+        // between the two, at (55, 37.5): 5 px to the right of the middle and 2.5 above it
+        assertEquals(10, common.motion().vx, TINY);
+        assertEquals(-5, common.motion().vy, TINY);
+        assertEquals(0, common.lost(), TINY);
+        // 3 * 2² of 1,000
+        assertEquals(0.012, common.leastShown(), TINY);
+    }
+
+    @Test
+    public void velocityRotationAndGrowthAreFoundAtOnce() {
+        // (3, -1) px/s, 2 rad/s, 0.5 1/s about (50, 40): 10 px to the right (5, 20) px/s on top, to
+        // the left as much less
+        CommonMotion common = new CommonMotion();
+        MotionLoss all = loss(1, 0.5, 2, 1, 1);
+        assertTrue(common.fit(motion(60, 40, 8, 19, 2, 0.5), all, motion(40, 40, -2, -21, 2, 0.5), all, 0));
+        assertEquals(3, common.motion().vx, TINY);
+        assertEquals(-1, common.motion().vy, TINY);
+        assertEquals(2, common.motion().omega, TINY);
+        assertEquals(0.5, common.motion().growth, TINY);
+        assertEquals(0, common.lost(), TINY);
+    }
+
+    @Test
+    public void twoThatComeApartAreNotOneBodyWhereTheirGrowthShows() {
+        // as two that pass each other, with growth for rotation
+        CommonMotion common = new CommonMotion();
+        MotionLoss seen = loss(1, 0, 1, 1, 900);
+        assertTrue(common.fit(motion(60, 40, 20, 0, 0), seen, motion(40, 40, -20, 0, 0), seen, 0));
+        assertEquals(0.2, common.motion().growth, TINY);
+        assertEquals(0.36, common.lost(), TINY);
+        // of 1,000 the evidence is 900 * 0.2² in each
+        assertEquals(0.036, common.leastShown(), TINY);
+    }
+
+    @Test
+    public void growthThatNeitherKnowsIsNone() {
+        // the two come apart at 20 px/s: their velocities alone would make it a growth of 2
+        CommonMotion common = new CommonMotion();
+        MotionLoss all = loss(1, 0, 1, 1);
+        assertTrue(common.fit(motion(60, 40, 20, 0, 0, 7), all, motion(40, 40, -20, 0, 0, 7), all, 0));
+        assertEquals(0, common.motion().growth, 0);
+        assertEquals(0, common.motion().vx, TINY);
+        assertEquals(0.4, common.lost(), TINY);
+    }
+
+    @Test
+    public void commonVelocityIsSoughtWithTheBetterKnownRotationAndGrowth() {
+        // the second knows its 2 rad/s better, the first its growth of 0.5. Between them, at (50, 40), both are then
+        // right: the first moves by (5, 20) px/s beside the common (0, 0), the second as much the other way
+        CommonMotion common = new CommonMotion();
+        MotionLoss grows = loss(1, 0, 1, 1, 8);
+        MotionLoss turns = loss(1, 0, 1, 9, 2);
+        assertTrue(common.fitVelocity(motion(60, 40, 5, 20, -3, 0.5), grows, motion(40, 40, -5, -20, 2, -7), turns, 0));
+        assertEquals(2, common.motion().omega, TINY);
+        assertEquals(0.5, common.motion().growth, TINY);
+        assertEquals(0, common.motion().vx, TINY);
+        assertEquals(0, common.motion().vy, TINY);
+        // what differs: 1 * 5² of the first, 2 * 7.5² of the second
+        assertEquals(0.1125, common.lost(), TINY);
+        // the first shows 1 * 2² + 8 * 0.5² = 6, the second 9 * 2² + 2 * 0.5²
+        assertEquals(0.006, common.leastShown(), TINY);
     }
 
     @Test
@@ -58,6 +153,8 @@ public class CommonMotionTest {
         assertTrue(common.fit(motion(60, 40, 0, 20, 0), seen, motion(40, 40, 0, -20, 0), seen, 0));
         assertEquals(0.2, common.motion().omega, TINY);
         assertEquals(0.36, common.lost(), TINY);
+        // and shows 900 * 0.2² of it
+        assertEquals(0.036, common.leastShown(), TINY);
     }
 
     @Test
@@ -88,6 +185,7 @@ public class CommonMotionTest {
         assertFalse(common.fit(motion(40, 30, 30, 5, 0), vertical, motion(50, 30, 30, -5, 0), vertical, 0));
         assertEquals(5, common.motion().vy, TINY);
         assertTrue(common.lost() > 1);
+        assertEquals(0, common.leastShown(), 0);
     }
 
     @Test

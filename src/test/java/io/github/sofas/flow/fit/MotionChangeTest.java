@@ -1,48 +1,63 @@
 package io.github.sofas.flow.fit;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.PlainMotion;
+import io.github.sofas.flow.motion.PlainMotion.Place;
 import java.util.Random;
 import org.junit.Test;
 
-/** Acceleration and rotation of a cloud of dots around (50, 40), each seen twenty times in a window of 0.2 s. */
+/** Changes of the motion of a cloud of dots around (50, 40), each seen twenty times in a window of 0.2 s. */
 public class MotionChangeTest {
     private static final double HALF_S = 0.1;
     private static final double RADIUS_PX = 20;
     private static final SofasParameters DEFAULTS = SofasParameters.defaults();
 
-    /** Measures eight times, starting from the velocity (100, 0) px/s that is right in the middle of the window. */
-    private static Motion measured(double ax, double omega) {
+    private final MotionChange change = new MotionChange();
+    private final MotionLoss loss = new MotionLoss();
+
+    /** What moves at (100, 0) px/s in the middle of the window. */
+    private static Motion steady() {
         Motion motion = new Motion();
         motion.set(0, 100, 0);
         motion.centreX = 50;
         motion.centreY = 40;
-        MotionChange change = new MotionChange();
+        return motion;
+    }
+
+    /** Measures a cloud of 40 px eight times, starting from the velocity that is right in the middle of the window. */
+    private Motion measured(Motion truth, SofasParameters p) {
+        return measured(new Motion[] {truth}, new double[] {50}, RADIUS_PX, p);
+    }
+
+    /** The same of one or more clouds of so many px around, side by side. */
+    private Motion measured(Motion[] truth, double[] middles, double reach, SofasParameters p) {
+        Motion motion = steady();
         change.restart();
-        MotionLoss loss = new MotionLoss();
+        loss.clear();
         MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, 4096, 1900);
         for (int repeat = 0; repeat < 8; repeat++) {
             Random random = new Random(5);
             fit.clear();
             for (int dot = 0; dot < 60; dot++) {
-                double rx = 2 * RADIUS_PX * (random.nextDouble() - 0.5);
-                double ry = 2 * RADIUS_PX * (random.nextDouble() - 0.5);
+                Motion its = truth[dot % truth.length];
+                double x = middles[dot % truth.length] + 2 * reach * (random.nextDouble() - 0.5);
+                double y = 40 + 2 * reach * (random.nextDouble() - 0.5);
                 for (int k = 0; k < 20; k++) {
-                    double t = (k + random.nextDouble() - 10) / 10 * HALF_S;
-                    double cos = Math.cos(omega * t);
-                    double sin = Math.sin(omega * t);
-                    motion.project((int) Math.rint(50 + 100 * t + ax / 2 * t * t + cos * rx - sin * ry),
-                        (int) Math.rint(40 + sin * rx + cos * ry), Math.round(t * 1e6));
-                    fit.add((float) motion.x, (float) motion.y, (float) t, (float) (motion.x - 50),
-                        (float) (motion.y - 40), 1);
+                    long timeUs = Math.round((k + random.nextDouble() - 10) / 10 * HALF_S * 1e6);
+                    Place seen = PlainMotion.at(its, x, y, timeUs);
+                    Place at = PlainMotion.project(motion, Math.rint(seen.x()), Math.rint(seen.y()), timeUs);
+                    fit.add((float) at.x(), (float) at.y(), timeUs * 1e-6f, (float) (at.x() - 50),
+                        (float) (at.y() - 40), 1);
                 }
             }
             fit.frame(1 / HALF_S);
             fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
             loss.take(fit);
-            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, DEFAULTS.track());
+            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, p.track());
         }
         return motion;
     }
@@ -50,27 +65,121 @@ public class MotionChangeTest {
     @Test
     public void accelerationAndRotationAreThoseOfTheEvents() {
         // 400 px/s² bend the ends of the window by 2 px, 0.5 rad/s turn them by 1 px at 20 px
-        Motion motion = measured(400, 0.5);
+        Motion truth = steady();
+        truth.ax = 400;
+        truth.omega = 0.5;
+        Motion motion = measured(truth, DEFAULTS);
         assertEquals(400, motion.ax, 20);
         assertEquals(0, motion.ay, 20);
         assertEquals(0.5, motion.omega, 0.05);
+        assertEquals(0, motion.growth, 0.05);
+        assertTrue(loss.turn > 0);
+    }
+
+    @Test
+    public void growthIsThatOfTheEvents() {
+        // 0.5 1/s shift the ends of the window by 1 px at 20 px
+        Motion truth = steady();
+        truth.growth = 0.5;
+        Motion motion = measured(truth, DEFAULTS);
+        assertEquals(0.5, motion.growth, 0.05);
+        assertEquals(0, motion.omega, 0.05);
+        assertTrue(loss.grow > 0);
+        truth.growth = -0.5;
+        assertEquals(-0.5, measured(truth, DEFAULTS).growth, 0.05);
+    }
+
+    @Test
+    public void changeOfTheRotationIsThatOfTheEvents() {
+        // 20 rad/s² turn the ends of the window by 2 px at 20 px; it needs a rotation to be seen beside
+        Motion truth = steady();
+        truth.omega = 0.5;
+        truth.alpha = 20;
+        Motion motion = measured(truth, DEFAULTS);
+        assertEquals(0.5, motion.omega, 0.05);
+        assertEquals(20, motion.alpha, 2);
     }
 
     @Test
     public void steadyMotionHasNoChange() {
-        Motion motion = measured(0, 0);
+        Motion motion = measured(steady(), DEFAULTS);
         assertEquals(0, motion.ax, 5);
         assertEquals(0, motion.ay, 5);
         assertEquals(0, motion.omega, 0.03);
+        assertEquals(0, motion.growth, 0.03);
+        assertEquals(0, motion.alpha, 1);
+    }
+
+    @Test
+    public void twoBodiesThatComeApartDoNotGrow() {
+        // 15 px left and right of the middle at 7.5 px/s outwards, as a growth of 0.5 would have it
+        Motion left = steady();
+        left.vx -= 7.5;
+        Motion right = steady();
+        right.vx += 7.5;
+        Motion motion = measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+        assertEquals(0, motion.growth, 0.1);
+        assertEquals(0, motion.omega, 0.1);
+    }
+
+    @Test
+    public void twoBodiesThatPassEachOtherDoNotTurn() {
+        Motion left = steady();
+        left.vy -= 7.5;
+        Motion right = steady();
+        right.vy += 7.5;
+        Motion motion = measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+        assertEquals(0, motion.omega, 0.1);
+        assertEquals(0, motion.growth, 0.1);
+    }
+
+    @Test
+    public void whatIsSwitchedOffIsNotMeasured() {
+        Motion truth = steady();
+        truth.ax = 400;
+        truth.omega = 0.5;
+        truth.alpha = 20;
+        truth.growth = 0.5;
+        Motion noGrowth = measured(truth, DEFAULTS.with("growth", false));
+        assertEquals(0, noGrowth.growth, 0);
+        assertEquals(0, loss.grow, 0);
+        assertTrue(noGrowth.omega > 0.3);
+        Motion noRotation = measured(truth, DEFAULTS.with("rotation", false));
+        assertEquals(0, noRotation.omega, 0);
+        assertEquals(0, noRotation.alpha, 0);
+        assertEquals(0, loss.turn, 0);
+        assertTrue(noRotation.growth > 0.3);
+        Motion noAcceleration = measured(truth, DEFAULTS.with("acceleration", false));
+        assertEquals(0, noAcceleration.ax, 0);
+        assertEquals(0, noAcceleration.ay, 0);
+        assertEquals(0, noAcceleration.alpha, 0);
+        assertTrue(noAcceleration.omega > 0.3);
+    }
+
+    @Test
+    public void bendIsTheShiftAtTheEndOfTheWindow() {
+        // 400 px/s² in 0.1 s
+        Motion truth = steady();
+        truth.ax = 400;
+        measured(truth, DEFAULTS);
+        assertEquals(2, change.bendPx(HALF_S), 0.2);
+        change.restart();
+        assertEquals(0, change.bendPx(HALF_S), 0);
     }
 
     @Test
     public void heldChangeFadesByAFifth() {
         Motion motion = new Motion();
         motion.ax = 100;
+        motion.ay = -50;
         motion.omega = -2;
-        new MotionChange().hold(motion);
+        motion.alpha = 10;
+        motion.growth = 0.5;
+        change.hold(motion);
         assertEquals(80, motion.ax, 1e-9);
+        assertEquals(-40, motion.ay, 1e-9);
         assertEquals(-1.6, motion.omega, 1e-9);
+        assertEquals(8, motion.alpha, 1e-9);
+        assertEquals(0.4, motion.growth, 1e-9);
     }
 }

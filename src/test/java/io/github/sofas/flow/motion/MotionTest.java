@@ -4,24 +4,17 @@ import static org.junit.Assert.assertEquals;
 
 import org.junit.Test;
 
-/** Projection along a motion. */
+/** The motion of the points of a structure, and what stays the same when it is told from elsewhere. */
 public class MotionTest {
-    @Test
-    public void pointOfATurningBodyIsProjectedAlongItsCircle() {
-        // centre (50, 40), 5 rad/s, 0.1 s after the reference: a point 20 px right of the centre has turned by 0.5 rad
+    /** (30, -10) px/s with its centre at (50, 40), 2 rad/s and 0.5 1/s. */
+    private static Motion turningAndGrowing() {
         Motion motion = new Motion();
-        motion.set(0, 0, 0);
-        motion.omega = 5;
+        motion.set(1_000_000, 30, -10);
+        motion.omega = 2;
+        motion.growth = 0.5;
         motion.centreX = 50;
         motion.centreY = 40;
-        int x = (int) Math.round(50 + 20 * Math.cos(0.5));
-        int y = (int) Math.round(40 + 20 * Math.sin(0.5));
-        motion.project(x, y, 100_000);
-        double dx = x - 50 - 20 * Math.cos(0.5);
-        double dy = y - 40 - 20 * Math.sin(0.5);
-        // rounding to a pixel turns back too; what is left of the circle is below a hundredth of a pixel
-        assertEquals(70 + Math.cos(0.5) * dx + Math.sin(0.5) * dy, motion.x, 0.01);
-        assertEquals(40 - Math.sin(0.5) * dx + Math.cos(0.5) * dy, motion.y, 0.01);
+        return motion;
     }
 
     @Test
@@ -30,11 +23,101 @@ public class MotionTest {
         motion.set(0, 100, -20);
         motion.ax = -50;
         motion.ay = 10;
-        assertEquals(90, motion.vxAt(0, 200_000), 1e-4);
-        assertEquals(-18, motion.vyAt(0, 200_000), 1e-4);
+        assertEquals(90, motion.vxAt(7, 9, 200_000), 1e-4);
+        assertEquals(-18, motion.vyAt(7, 9, 200_000), 1e-4);
         motion.moveReference(200_000);
-        // 100 * 0.2 - 25 * 0.04
+        // 100 * 0.2 - 25 * 0.04, and -20 * 0.2 + 5 * 0.04
         assertEquals(19, motion.centreX, 1e-9);
+        assertEquals(-3.8, motion.centreY, 1e-9);
         assertEquals(90, motion.vx, 1e-9);
+        assertEquals(-18, motion.vy, 1e-9);
+    }
+
+    @Test
+    public void pointHasTheCentresVelocityAndItsShareOfRotationAndGrowth() {
+        // 20 px right of the centre: 2 rad/s push down by 40 px/s, growth of 0.5 to the right by 10
+        Motion motion = turningAndGrowing();
+        assertEquals(30 + 10, motion.vxAt(70, 40, 1_000_000), 1e-4);
+        assertEquals(-10 + 40, motion.vyAt(70, 40, 1_000_000), 1e-4);
+        // 10 px below it: 20 px/s to the left, 5 down
+        assertEquals(30 - 20, motion.vxAt(50, 50, 1_000_000), 1e-4);
+        assertEquals(-10 + 5, motion.vyAt(50, 50, 1_000_000), 1e-4);
+    }
+
+    @Test
+    public void pointIsSeenFromWhereTheCentreIsByThen() {
+        // after 0.1 s the centre is at (53, 39)
+        Motion motion = turningAndGrowing();
+        assertEquals(30, motion.vxAt(53, 39, 1_100_000), 1e-4);
+        assertEquals(-10, motion.vyAt(53, 39, 1_100_000), 1e-4);
+        // and turns by 2 + 0.1 * 5 rad/s: 10 px right of it 25 px/s down
+        motion.alpha = 5;
+        assertEquals(-10 + 25, motion.vyAt(63, 39, 1_100_000), 1e-4);
+    }
+
+    @Test
+    public void movedReferenceLeavesTheMotionAsItIs() {
+        Motion motion = turningAndGrowing();
+        motion.alpha = 5;
+        Motion moved = new Motion();
+        moved.copyFrom(motion);
+        moved.moveReference(1_200_000);
+        assertEquals(3, moved.omega, 1e-9);
+        assertEquals(0.5, moved.growth, 0);
+        for (long timeUs = 900_000; timeUs <= 1_300_000; timeUs += 100_000) {
+            assertEquals(motion.vxAt(70, 25, timeUs), moved.vxAt(70, 25, timeUs), 1e-4);
+            assertEquals(motion.vyAt(70, 25, timeUs), moved.vyAt(70, 25, timeUs), 1e-4);
+        }
+    }
+
+    @Test
+    public void movedCentreTakesTheVelocityThatThePointThereHas() {
+        // to (60, 50): 10 px right gives (5, 20) px/s, 10 px down (-20, 5)
+        Motion motion = turningAndGrowing();
+        motion.moveCentre(60, 50);
+        assertEquals(30 + 5 - 20, motion.vx, 1e-9);
+        assertEquals(-10 + 20 + 5, motion.vy, 1e-9);
+        assertEquals(60, motion.centreX, 0);
+        assertEquals(50, motion.centreY, 0);
+    }
+
+    @Test
+    public void movedCentreLeavesTheVelocityOfEveryPointAsItIs() {
+        Motion motion = turningAndGrowing();
+        Motion moved = turningAndGrowing();
+        moved.moveCentre(-13, 71);
+        for (int x = 0; x < 100; x += 33) {
+            for (int y = 0; y < 100; y += 33) {
+                assertEquals(motion.vxAt(x, y, 1_000_000), moved.vxAt(x, y, 1_000_000), 1e-4);
+                assertEquals(motion.vyAt(x, y, 1_000_000), moved.vyAt(x, y, 1_000_000), 1e-4);
+            }
+        }
+    }
+
+    @Test
+    public void speedIsTheRootOfTheMeanSquareOverTheStructure() {
+        // 30² + 10² of the centre, (2² + 0.5²) 4² of points 4 px from it
+        assertEquals(Math.sqrt(1000 + 4.25 * 16), turningAndGrowing().speed(4), 1e-9);
+        // the same by the velocities of four such points
+        double squares = 0;
+        for (int[] r : new int[][] {{4, 0}, {-4, 0}, {0, 4}, {0, -4}}) {
+            double vx = turningAndGrowing().vxAt(50 + r[0], 40 + r[1], 1_000_000);
+            double vy = turningAndGrowing().vyAt(50 + r[0], 40 + r[1], 1_000_000);
+            squares += vx * vx + vy * vy;
+        }
+        assertEquals(Math.sqrt(squares / 4), turningAndGrowing().speed(4), 1e-4);
+    }
+
+    @Test
+    public void newVelocityEndsEveryChangeAndLeavesTheCentre() {
+        Motion motion = turningAndGrowing();
+        motion.ax = 1;
+        motion.ay = 2;
+        motion.alpha = 3;
+        motion.set(5, 1, 2);
+        assertEquals(5, motion.referenceUs);
+        assertEquals(1, motion.vxAt(90, 90, 1_000_005), 0);
+        assertEquals(2, motion.vyAt(90, 90, 1_000_005), 0);
+        assertEquals(50, motion.centreX, 0);
     }
 }

@@ -197,7 +197,7 @@ final class PlainTrackPlane {
     }
 
     Segment segment(Segment.Fate fate, int mergedInto) {
-        return new Segment(id, firstUs, lastUs, events, (float) vxPxPerS, (float) vyPxPerS, minX, minY, maxX, maxY,
-            fate, mergedInto);
+        return new Segment(id, firstUs, lastUs, events, (float) vxPxPerS, (float) vyPxPerS, 0, 0, minX, minY, maxX,
+            maxY, fate, mergedInto);
     }
 }

@@ -1,12 +1,15 @@
 package io.github.sofas.flow.track;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.PlainMotion;
+import io.github.sofas.flow.motion.PlainMotion.Place;
 import org.junit.Test;
 
-/** What a structure has looked like, in coordinates that travel and turn with it. */
+/** What a structure has looked like, in coordinates that travel, turn and grow with it. */
 public class ContourMemoryTest {
     private static Motion motion(long timeUs, double vx, double vy, double omega) {
         Motion motion = new Motion();
@@ -64,6 +67,20 @@ public class ContourMemoryTest {
     }
 
     @Test
+    public void placesAreWhereTheyWereAfterAFullTurn() {
+        double omega = 2 * Math.PI;
+        ContourMemory shape = edge(motion(0, 0, 0, omega));
+        for (int i = 1; i <= 100; i++) {
+            shape.follow(motion(i * 10_000, 0, 0, omega), 2_000_000);
+        }
+        for (int y = 22; y < 38; y++) {
+            assertTrue(shape.remembered(51, y, 1_000_000) > 0);
+            assertEquals(0, shape.remembered(54, y, 1_000_000));
+            assertEquals(0, shape.remembered(47, y, 1_000_000));
+        }
+    }
+
+    @Test
     public void placesAreForgottenAfterTheTimeOfMemory() {
         // seen at 0, remembered for 976 ticks of 1,024 us
         ContourMemory shape = edge(motion(0, 0, 0, 0));
@@ -77,5 +94,93 @@ public class ContourMemoryTest {
         shape.start(motion(10, 0, 0, 0));
         shape.follow(motion(10, 0, 0, 0), 1_000_000);
         assertEquals(0, shape.remembered(50, 30, 20));
+    }
+
+    @Test
+    public void placesGrowWithTheStructure() {
+        // 0.5 1/s for a second, followed every 20 ms: 10 px right of the centre become 10 * 1.6487, and from 9
+        // px above it to 9 px below it from 14.8 px above to 14.8 px below
+        Motion growing = motion(0, 0, 0, 0);
+        growing.growth = 0.5;
+        ContourMemory shape = edge(growing);
+        for (int i = 1; i <= 50; i++) {
+            growing.moveReference(i * 20_000);
+            shape.follow(growing, 2_000_000);
+        }
+        for (int y = 16; y <= 44; y++) {
+            assertTrue(shape.remembered(56, y, 1_000_000) > 0);
+        }
+        assertEquals(0, shape.remembered(56, 50, 1_000_000));
+        assertEquals(0, shape.remembered(50, 30, 1_000_000));
+        // and on from there: 17.3 px after another tenth
+        assertTrue(shape.remembered(57, 30, 1_100_000) > 0);
+    }
+
+    @Test
+    public void whatIsSeenLaterIsAPlaceOfTheStructureToo() {
+        // seen at (60, y) after 0.5 s at 20 px/s is the same place as (50, y) at first
+        ContourMemory shape = new ContourMemory(128, 96);
+        shape.start(motion(0, 20, 0, 0));
+        shape.follow(motion(0, 20, 0, 0), 1_000_000);
+        for (int y = 20; y < 40; y++) {
+            shape.see(60, y, 500_000);
+        }
+        assertEquals(2, shape.remembered(64, 30, 700_000));
+        assertEquals(0, shape.remembered(60, 30, 700_000));
+        shape.follow(motion(700_000, 20, 0, 0), 1_000_000);
+        assertEquals(2, shape.remembered(64, 30, 700_000));
+    }
+
+    @Test
+    public void eventsOfEightPixelsAreOnOneTile() {
+        ContourMemory shape = edge(motion(0, 0, 0, 0));
+        int tile = shape.tile(48, 32, 0);
+        assertEquals(tile, shape.tile(55, 32, 0));
+        assertEquals(tile, shape.tile(48, 39, 0));
+        assertNotEquals(tile, shape.tile(56, 32, 0));
+        assertNotEquals(tile, shape.tile(48, 40, 0));
+        assertNotEquals(tile, shape.tile(47, 32, 0));
+        assertNotEquals(tile, shape.tile(48, 31, 0));
+    }
+
+    @Test
+    public void aboutHalfOfTheTilesAreEven() {
+        // 16 x 12 tiles of the sensor: 96 expected, 7 standard deviation
+        ContourMemory shape = edge(motion(0, 0, 0, 0));
+        int even = 0;
+        for (int y = 4; y < 96; y += 8) {
+            for (int x = 4; x < 128; x += 8) {
+                even += 1 - (shape.tile(x, y, 0) & 1);
+            }
+        }
+        assertEquals(96, even, 21);
+    }
+
+    @Test
+    public void tilesMoveAlongWithTheStructure() {
+        Motion motion = motion(0, 30, -20, 2);
+        motion.growth = -0.4;
+        Motion first = new Motion();
+        first.copyFrom(motion);
+        ContourMemory shape = new ContourMemory(128, 96);
+        shape.start(motion);
+        shape.follow(motion, 1_000_000);
+        // middles of tiles around the centre
+        int[][] places = {{36, 28}, {44, 28}, {52, 28}, {28, 36}, {36, 20}};
+        int[] tiles = new int[places.length];
+        for (int i = 0; i < places.length; i++) {
+            tiles[i] = shape.tile(places[i][0], places[i][1], 0);
+        }
+        for (long timeUs = 20_000; timeUs <= 400_000; timeUs += 20_000) {
+            motion.moveReference(timeUs);
+            shape.follow(motion, 1_000_000);
+            // between two follows, too
+            for (long atUs = timeUs; atUs <= timeUs + 20_000; atUs += 10_000) {
+                for (int i = 0; i < places.length; i++) {
+                    Place now = PlainMotion.at(first, places[i][0], places[i][1], atUs);
+                    assertEquals(tiles[i], shape.tile((int) Math.rint(now.x()), (int) Math.rint(now.y()), atUs));
+                }
+            }
+        }
     }
 }

@@ -1,0 +1,258 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.fit.MotionChange;
+import io.github.sofas.flow.fit.MotionLoss;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+
+/**
+ * Measures the motion of a structure again and again from its live events (paper, section Track Plane: the best of
+ * 3 x 3 projections becomes the centre), and knows how well it is known and over how much travel it is to be measured.
+ */
+final class Measurement {
+    /** Fewer events than this have no motion. */
+    static final int LEAST_EVENTS = 12;
+    /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
+    private static final int LEAST_FULL = 3;
+    private static final int FULL_EVERY = 4;
+    /**
+     * A sample has at least this part of the live events: measurements are the rarer the more there are, so that it
+     * costs no more per event, and what is weakly known, the velocity along edges, needs many.
+     */
+    private static final int SAMPLE_PART = 4;
+    /** Fewest events between two measurements, and live events of which a quarter must be new. */
+    private static final int LEAST_NEWS = 40;
+    private static final int FEW_EVENTS = 2000;
+    /**
+     * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
+     * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
+     * follow each other at once do not, and those of real pixels make it look too fast.
+     */
+    private static final int STRETCHES = 4;
+    /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
+    private static final double STEP_PX = 1.0 / 64;
+
+    /** Events that a velocity is measured from where they meet often: 1,000 reach half a percent. */
+    private static final int SAMPLE_EVENTS = 1000;
+    /** Metric per event below which a sample is enlarged: thinning events thins their meetings by the square. */
+    private static final double SAMPLE_DENSITY = 1.5;
+    /** Correction over half the window below which a velocity is steady. */
+    private static final double STEADY_PX = 0.15;
+    /** Shift at the end of the window by an acceleration above which the lifetime shrinks: it soon ends. */
+    private static final double MAX_BEND_PX = 0.25;
+    /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
+    private static final double MAX_SHARED = 0.15;
+    /** Share of the metric per px that a weakly known direction must lose to follow at half the step. */
+    private static final double STIFFNESS = 0.002;
+    /** Share of the velocity along a straight edge that is dropped at each measurement: it would drift. */
+    private static final double FLAT_DECAY = 0.05;
+    /**
+     * Share of the metric that a shift of both ends of the window by a pixel costs at least where there is a structure:
+     * 0.1 to 0.5 of those, 0.02 of noise and of what several structures left.
+     */
+    private static final double LEAST_SHARPNESS = 0.03;
+    /** Travel without that after which there is none. */
+    private static final double BLURRED_PX = 5;
+
+    private final SteppedProjection stepped = new SteppedProjection();
+    private final MotionChange change = new MotionChange();
+    private final MotionLoss loss = new MotionLoss();
+    private SofasParameters.Track p;
+    private int count;
+    /** Metric per event of all live events. */
+    private double density;
+    private double widen;
+    private double lifetimePx;
+    /** Travel for which the live events have not been sharp, in px. */
+    private double blurredPx;
+    private long measuredUs;
+
+    Measurement(SofasParameters.Track p) {
+        this.p = p;
+    }
+
+    /** Begins with a structure of which only a first velocity is known. */
+    void restart() {
+        change.restart();
+        loss.clear();
+        count = 0;
+        density = 0;
+        blurredPx = 0;
+        measuredUs = 0;
+        widen = 1;
+        lifetimePx = p.lifetimePx();
+    }
+
+    /** Measures on with other parameters. */
+    void setParameters(SofasParameters.Track next) {
+        p = next;
+        lifetimePx = Math.max(p.lifetimePx(), Math.min(p.maxLifetimePx(), lifetimePx));
+    }
+
+    /** Travel that the motion is measured over, in px. */
+    double lifetimePx() {
+        return lifetimePx;
+    }
+
+    /** Whether the live events are sharp under the motion, as those of a structure are. */
+    boolean isSharp() {
+        return blurredPx == 0;
+    }
+
+    /** Whether they have not been sharp for so long that there is no structure, or none that moves like this. */
+    boolean isBlurred() {
+        return blurredPx > BLURRED_PX;
+    }
+
+    /** What is known of the motion. */
+    MotionLoss loss() {
+        return loss;
+    }
+
+    /** Whether so many measurements were made that rotation and growth may be known. */
+    boolean knowsChange() {
+        return count > LEAST_FULL;
+    }
+
+    /** New events until it is measured again: a quarter of few, a twelfth of many, more where all are needed. */
+    int newsNeeded(int liveEvents) {
+        return Math.max(LEAST_NEWS,
+            Math.max(Math.max(sample(liveEvents), Math.min(liveEvents, FEW_EVENTS)) / 4, liveEvents / 12));
+    }
+
+    /** Holds the motion where it cannot be measured. */
+    void hold(Motion motion) {
+        change.hold(motion);
+    }
+
+    /** Goes on with the motion that this structure and another have in common. */
+    void take(Motion common) {
+        change.take(common);
+    }
+
+    /**
+     * Measures a motion, whose reference becomes the middle of the window of the live events.
+     *
+     * @param lifetimeUs time in which it travels the lifetime
+     */
+    void measure(Motion motion, LiveEvents live, double radius, MetricFit fit, long lifetimeUs, long nowUs) {
+        long windowUs = nowUs - live.oldestUs();
+        double half = windowUs * 0.5e-6;
+        motion.moveReference(live.oldestUs() + windowUs / 2);
+        int shared = load(motion, live, radius, fit);
+        if (fit.size() >= LEAST_EVENTS) {
+            improve(motion, live, half, radius, fit, (double) shared / (shared + fit.size()));
+            followSharpness(half, lifetimeUs, nowUs);
+        }
+    }
+
+    /** Notes how far the structure has travelled without being sharp. */
+    private void followSharpness(double half, long lifetimeUs, long nowUs) {
+        boolean sharp = loss.best() >= LEAST_SHARPNESS * loss.metric * half * half;
+        double travelledPx = measuredUs == 0 ? 0 : lifetimePx * (nowUs - measuredUs) / Math.max(1, lifetimeUs);
+        blurredPx = sharp ? 0 : blurredPx + Math.max(travelledPx, Double.MIN_VALUE);
+        measuredUs = nowUs;
+    }
+
+    /**
+     * How many live events a measurement needs: thinning them thins their meetings by the square, so that many events
+     * that meet seldom are taken whole.
+     */
+    private int sample(int n) {
+        int least = Math.max(SAMPLE_EVENTS, n / SAMPLE_PART);
+        return n <= least ? n : (int) Math.max(least, Math.min(n, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
+    }
+
+    /** Projects a sample of the live events to the motion's reference; returns how many of it were shared. */
+    private int load(Motion motion, LiveEvents live, double radius, MetricFit fit) {
+        fit.clear();
+        int want = sample(live.size());
+        int left = live.size() - want;
+        int shared = 0;
+        stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
+        for (int k = 0; k < want; k++) {
+            int i = live.index(k + left * (k * STRETCHES / want) / (STRETCHES - 1));
+            if (live.claim[i] != Claim.OWN) {
+                shared += live.claim[i] == Claim.SHARED ? 1 : 0;
+                continue;
+            }
+            stepped.advance(live.timeUs[i]);
+            double x = stepped.x(live.x[i], live.y[i]);
+            double y = stepped.y(live.x[i], live.y[i]);
+            fit.add((float) x, (float) y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
+                (float) (x - motion.centreX), (float) (y - motion.centreY), live.sign[i]);
+        }
+        return shared;
+    }
+
+    private void improve(Motion motion, LiveEvents live, double half, double radius, MetricFit fit, double crossing) {
+        double px = 1 / half; // velocity that shifts both ends of the window by one pixel
+        if (count == 0) {
+            fit.frame(px);
+        } else {
+            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.NEIGHBOUR_LOSS, MetricFit.MIN_STEP_PX * px,
+                MetricFit.MAX_STEP_PX * px);
+            fit.widen(widen);
+        }
+        if (count < LEAST_FULL || count % FULL_EVERY == 0) {
+            fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
+        } else {
+            fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
+        }
+        // in a thinned sample events meet by so much less
+        density = fit.metric() / fit.size() * live.size() / fit.size();
+        loss.take(fit);
+        widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
+        double moved = step(motion, fit, px, crossing) / px;
+        if (crossing > MAX_SHARED) {
+            change.hold(motion);
+        } else if (count >= 2 && moved < 1) {
+            change.measure(fit, motion, loss, half, radius, p);
+            adapt(moved, change.bendPx(half));
+        }
+        if (moved > 3 * STEADY_PX) {
+            lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
+        }
+        count++;
+    }
+
+    /** Lets the lifetime grow while the motion is steady, and shrink where it changes. */
+    private void adapt(double moved, double bend) {
+        if (bend > MAX_BEND_PX) {
+            lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
+        } else if (moved < STEADY_PX && bend < 0.7 * MAX_BEND_PX) {
+            lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
+        }
+    }
+
+    /**
+     * Takes the step of the fit: (L + S)^-1 L of it, L the loss and S a stiffness the same all round, so that what is
+     * weakly known moves slowly. Along a straight edge, where nothing is known, back towards the normal flow.
+     *
+     * @return its length in px/s
+     */
+    private double step(Motion motion, MetricFit fit, double px, double crossing) {
+        double stepX = fit.stepX();
+        double stepY = fit.stepY();
+        if (count > 0) {
+            double stiff = STIFFNESS * (1 + 10 * crossing) * loss.metric / (px * px);
+            double xx = loss.xx + stiff;
+            double yy = loss.yy + stiff;
+            double det = xx * yy - loss.xy * loss.xy;
+            double rx = loss.xx * stepX + loss.xy * stepY;
+            double ry = loss.xy * stepX + loss.yy * stepY;
+            stepX = det > 0 ? (yy * rx - loss.xy * ry) / det : 0;
+            stepY = det > 0 ? (xx * ry - loss.xy * rx) / det : 0;
+        }
+        motion.vx += stepX;
+        motion.vy += stepY;
+        if (fit.isFlat()) {
+            double along = (motion.vy * loss.axisX - motion.vx * loss.axisY) * FLAT_DECAY;
+            motion.vx += along * loss.axisY;
+            motion.vy -= along * loss.axisX;
+        }
+        return Math.sqrt(stepX * stepX + stepY * stepY);
+    }
+}

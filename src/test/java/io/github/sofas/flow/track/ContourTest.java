@@ -1,0 +1,369 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Test;
+
+/** Counts of a contour by hand: an event counts 32, and supports by twice that where its polarity is the same. */
+public class ContourTest {
+    private static final SensorSize SENSOR = new SensorSize(128, 96);
+    /** Counts fade each 10 ms. */
+    private static final long LIFETIME_US = 160_000;
+
+    private final Contour.Spare spare = new Contour.Spare(SENSOR);
+    private final Contour contour = new Contour(SENSOR, spare);
+    private final Motion motion = new Motion();
+
+    /** Starts at time 0 along a velocity; the centre is (60, 40). */
+    private void start(double vx, double vy) {
+        motion.set(0, vx, vy);
+        motion.centreX = 60;
+        motion.centreY = 40;
+        contour.start(motion);
+    }
+
+    private void startAtRest() {
+        start(0, 0);
+    }
+
+    private void followTo(long timeUs) {
+        motion.moveReference(timeUs);
+        contour.follow(motion);
+    }
+
+    /** A block of single ON events at time 0. */
+    private void addBlock(int fromX, int fromY, int side) {
+        for (int y = fromY; y < fromY + side; y++) {
+            for (int x = fromX; x < fromX + side; x++) {
+                contour.add(x, y, 0, 1);
+            }
+        }
+    }
+
+    private static LiveEvents live(int[]... places) {
+        LiveEvents live = new LiveEvents();
+        for (int[] place : places) {
+            live.add(place[0], place[1], place[2], 1, Claim.OWN, 0);
+        }
+        return live;
+    }
+
+    @Test
+    public void eventIsSupportedByTheNineCellsAroundIt() {
+        startAtRest();
+        contour.add(30, 20, 0, 1);
+        for (int dy = -2; dy <= 2; dy++) {
+            for (int dx = -2; dx <= 2; dx++) {
+                boolean near = Math.max(Math.abs(dx), Math.abs(dy)) <= 1;
+                assertEquals(near ? 64 : 0, contour.support(30 + dx, 20 + dy, 5, 1));
+            }
+        }
+        contour.add(31, 21, 0, 1);
+        assertEquals(128, contour.support(30, 20, 5, 1));
+        assertEquals(64, contour.support(32, 22, 5, 1));
+    }
+
+    @Test
+    public void otherPolarityCountsAgainstByHalf() {
+        startAtRest();
+        for (int i = 0; i < 3; i++) {
+            contour.add(30, 20, 0, 1);
+        }
+        assertEquals(192, contour.support(30, 20, 5, 1));
+        assertEquals(-96, contour.support(30, 20, 5, -1));
+        // what flickers: three of each
+        for (int i = 0; i < 3; i++) {
+            contour.add(30, 20, 0, -1);
+        }
+        assertEquals(192 - 96, contour.support(30, 20, 5, 1));
+        assertEquals(192 - 96, contour.support(30, 20, 5, -1));
+    }
+
+    @Test
+    public void oneFreshEventPutsAnotherOnTheContour() {
+        startAtRest();
+        contour.add(30, 20, 0, 1);
+        assertTrue(contour.support(31, 20, 0, 1) >= contour.threshold());
+        contour.fade(10_000, LIFETIME_US);
+        assertFalse(contour.support(31, 20, 0, 1) >= contour.threshold());
+    }
+
+    @Test
+    public void countsFadeByAnEighthEachSixteenthOfTheLifetime() {
+        startAtRest();
+        contour.add(30, 20, 0, 1);
+        contour.fade(9_999, LIFETIME_US);
+        assertEquals(64, contour.support(30, 20, 5, 1));
+        // 32 less 4 are 28, less 3.5 rounded up are 24, less 3 are 21, less 2.6 rounded up are 18
+        contour.fade(10_000, LIFETIME_US);
+        assertEquals(56, contour.support(30, 20, 5, 1));
+        contour.fade(19_999, LIFETIME_US);
+        assertEquals(56, contour.support(30, 20, 5, 1));
+        contour.fade(20_000, LIFETIME_US);
+        assertEquals(48, contour.support(30, 20, 5, 1));
+        // both that are due at once
+        contour.fade(40_000, LIFETIME_US);
+        assertEquals(36, contour.support(30, 20, 5, 1));
+    }
+
+    @Test
+    public void loneEventIsGoneAfterALifetime() {
+        startAtRest();
+        contour.add(30, 20, 0, 1);
+        contour.fade(150_000, LIFETIME_US);
+        assertFalse(contour.isEmpty());
+        contour.fade(160_000, LIFETIME_US);
+        assertTrue(contour.isEmpty());
+        assertEquals(0, contour.support(30, 20, 5, 1));
+    }
+
+    @Test
+    public void boxIsThatOfTheOccupiedCells() {
+        startAtRest();
+        assertTrue(contour.isEmpty());
+        contour.add(30, 20, 0, 1);
+        assertEquals(0, contour.extent());
+        contour.add(45, 27, 0, -1);
+        assertEquals(30, contour.left(0), 0);
+        assertEquals(45, contour.right(0), 0);
+        assertEquals(20, contour.top(0), 0);
+        assertEquals(27, contour.bottom(0), 0);
+        assertEquals(15, contour.extent());
+    }
+
+    @Test
+    public void boxShrinksToWhatHasNotFaded() {
+        startAtRest();
+        contour.add(30, 20, 0, 1);
+        for (int i = 0; i < 20; i++) {
+            contour.add(45, 27, 0, 1);
+        }
+        contour.fade(160_000, LIFETIME_US);
+        assertEquals(45, contour.left(160_000), 0);
+        assertEquals(45, contour.right(160_000), 0);
+        assertEquals(27, contour.top(160_000), 0);
+        assertTrue(contour.support(45, 27, 160_000, 1) > 0);
+    }
+
+    @Test
+    public void boxTravelsWithTheStructure() {
+        // 100 px/s to the right, 50 up
+        start(100, -50);
+        contour.add(30, 60, 0, 1);
+        assertEquals(50, contour.left(200_000), 1e-9);
+        assertEquals(50, contour.bottom(200_000), 1e-9);
+    }
+
+    @Test
+    public void contourTravelsWithTheStructure() {
+        start(100, 0);
+        addBlock(30, 20, 3);
+        // nine of 64, 5 px on
+        assertEquals(576, contour.support(36, 21, 50_000, 1));
+        assertEquals(0, contour.support(31, 21, 50_000, 1));
+    }
+
+    @Test
+    public void countsAreKeptWhenTheFrameIsAnchoredAfterTwelvePixels() {
+        start(100, 0);
+        addBlock(30, 20, 3);
+        contour.add(31, 21, 0, -1);
+        int before = contour.support(31, 21, 0, 1);
+        int beside = contour.support(33, 22, 0, 1);
+        for (long timeUs = 10_000; timeUs <= 400_000; timeUs += 10_000) {
+            followTo(timeUs);
+            int travelled = (int) (timeUs / 10_000);
+            assertEquals(before, contour.support(31 + travelled, 21, timeUs, 1));
+            assertEquals(beside, contour.support(33 + travelled, 22, timeUs, 1));
+            assertEquals(30 + travelled, contour.left(timeUs), 1e-9);
+            assertEquals(32 + travelled, contour.right(timeUs), 1e-9);
+            assertEquals(22, contour.bottom(timeUs), 1e-9);
+        }
+        assertEquals(9 * 64 - 32, before);
+    }
+
+    @Test
+    public void partsOfPixelsAreKeptWhenTheFrameIsAnchored() {
+        // anchored each 12.4 px, by 12 or 13: what is left counts the next time
+        start(100, 0);
+        addBlock(10, 20, 3);
+        for (int i = 1; i <= 16; i++) {
+            followTo(i * 62_000);
+        }
+        // from column 11 to 110.2
+        assertEquals(576, contour.support(110, 21, 992_000, 1));
+    }
+
+    @Test
+    public void whatLeavesTheSensorComesBackFromTheMargin() {
+        // 20 px beyond the border, then as far back
+        start(-200, 0);
+        addBlock(2, 20, 3);
+        followTo(100_000);
+        motion.vx = 200;
+        contour.follow(motion);
+        assertEquals(576, contour.support(3, 21, 200_000, 1));
+    }
+
+    /** Two blocks of 9 px, 20 px left and right of the centre, whose radius is measured. */
+    private void addDumbbell() {
+        LiveEvents live = new LiveEvents();
+        for (int middle = 40; middle <= 80; middle += 40) {
+            addBlock(middle - 4, 36, 9);
+            for (int i = 0; i < 81; i++) {
+                live.add(middle - 4 + i % 9, 36 + i / 9, 0, 1, Claim.OWN, 0);
+            }
+        }
+        contour.measure(live, motion);
+        // 20² between the middles and the centre, and (9² - 1) / 12 along each axis of a block
+        assertEquals(Math.sqrt(400 + 2 * 80 / 12.0), contour.radius(), 0.01);
+    }
+
+    @Test
+    public void innerCellsOfWhatTurnsKeepTheirCounts() {
+        // 0.8 rad about (60, 40): from (80, 40) to (60 + 20 * 0.69671, 40 + 20 * 0.71736) = (73.9, 54.3), 15.6 px off
+        startAtRest();
+        addDumbbell();
+        motion.omega = 8;
+        for (long timeUs = 0; timeUs <= 100_000; timeUs += 10_000) {
+            followTo(timeUs);
+        }
+        assertEquals(576, contour.support(74, 54, 100_000, 1));
+        assertEquals(576, contour.support(46, 26, 100_000, 1));
+        assertEquals(0, contour.support(84, 40, 100_000, 1));
+    }
+
+    @Test
+    public void innerCellsOfWhatGrowsKeepTheirCounts() {
+        // exp(0.5) = 1.6487: from (80, 40) to (92.97, 40), 13 px off
+        startAtRest();
+        addDumbbell();
+        motion.growth = 5;
+        for (long timeUs = 0; timeUs <= 100_000; timeUs += 10_000) {
+            followTo(timeUs);
+        }
+        assertEquals(576, contour.support(93, 40, 100_000, 1));
+        assertEquals(60 - 24 * 1.6487, contour.left(100_000), 1);
+        assertEquals(60 + 24 * 1.6487, contour.right(100_000), 1);
+    }
+
+    @Test
+    public void absorbedContourIsAddedWhereBothAreNow() {
+        start(100, 0);
+        addBlock(30, 20, 3);
+        Contour other = new Contour(SENSOR, spare);
+        Motion its = new Motion();
+        its.set(0, 0, 100);
+        other.start(its);
+        other.add(41, 11, 0, 1);
+        other.add(50, 11, 0, -1);
+        // both along their own for 0.1 s: (41, 11) is at (41, 21), as the middle of the block is
+        motion.moveReference(100_000);
+        contour.absorb(other, motion);
+        assertEquals(576 + 64, contour.support(41, 21, 100_000, 1));
+        assertEquals(64, contour.support(50, 21, 100_000, -1));
+        assertEquals(40, contour.left(100_000), 1);
+        assertEquals(50, contour.right(100_000), 1);
+        // from now on along the common one
+        assertEquals(576 + 64, contour.support(46, 21, 150_000, 1));
+    }
+
+    @Test
+    public void cellsOfOneContourDoNotShowInAnother() {
+        // both use the same spare cells in turn
+        start(100, 0);
+        addBlock(30, 20, 3);
+        Contour other = new Contour(SENSOR, spare);
+        other.start(motion);
+        other.add(30, 60, 0, 1);
+        followTo(130_000);
+        other.follow(motion);
+        motion.moveReference(260_000);
+        contour.follow(motion);
+        other.follow(motion);
+        contour.add(56, 60, 260_000, -1);
+        other.add(56, 20, 260_000, -1);
+        assertEquals(-32, contour.support(56, 61, 260_000, 1));
+        assertEquals(576, contour.support(57, 21, 260_000, 1));
+        assertEquals(64, other.support(56, 60, 260_000, 1));
+        assertEquals(-32, other.support(56, 21, 260_000, 1));
+    }
+
+    @Test
+    public void redrawnContourHasTheLiveEventsAsIfFadedSince() {
+        // 100 px/s: an event of now counts 32, one of half a lifetime ago half, one of a lifetime ago a third
+        start(100, 0);
+        addBlock(90, 60, 3);
+        motion.moveReference(160_000);
+        LiveEvents live = live(new int[] {20, 20, 0}, new int[] {40, 40, 80_000}, new int[] {60, 60, 160_000});
+        contour.draw(live, motion, LIFETIME_US);
+        assertEquals(2 * 10, contour.support(36, 20, 160_000, 1));
+        assertEquals(2 * 16, contour.support(48, 40, 160_000, 1));
+        assertEquals(2 * 32, contour.support(60, 60, 160_000, 1));
+        assertEquals("what was there", 0, contour.support(107, 61, 160_000, 1));
+    }
+
+    @Test
+    public void centreAndRadiusAreThoseOfTheLiveEventsByNow() {
+        // a square of 10 px around (25, 25) at 100 px/s, its corners seen one after the other, each 10 ms
+        start(100, 0);
+        int[][] places = {{20, 20, 0}, {31, 20, 10_000}, {22, 30, 20_000}, {33, 30, 30_000}};
+        for (int[] place : places) {
+            contour.add(place[0], place[1], place[2], 1);
+        }
+        followTo(30_000);
+        contour.measure(live(places), motion);
+        // 3 px on; each corner is 5 px off along both axes
+        assertEquals(28, contour.centreX(), 0.1);
+        assertEquals(25, contour.centreY(), 0.1);
+        assertEquals(Math.sqrt(50), contour.radius(), 0.1);
+    }
+
+    @Test
+    public void thresholdIsAShareOfTheMeanSupport() {
+        // ten events a cell: each has a support of 640, of which 0.15 are 96
+        startAtRest();
+        LiveEvents live = new LiveEvents();
+        for (int i = 0; i < 10; i++) {
+            contour.add(30, 20, 0, 1);
+            live.add(30, 20, 0, 1, Claim.OWN, 0);
+        }
+        assertEquals(64, contour.threshold());
+        contour.measure(live, motion);
+        assertEquals(96, contour.threshold());
+        // never less than two events of half their count
+        contour.draw(live(new int[] {30, 20, 0}), motion, LIFETIME_US);
+        contour.measure(live(new int[] {30, 20, 0}), motion);
+        assertEquals(64, contour.threshold());
+    }
+
+    @Test
+    public void cellsOnTheContourAreShownWhereTheyAreByThen() {
+        start(100, 0);
+        contour.add(30, 20, 0, 1);
+        contour.add(31, 20, 0, 1);
+        // on a cell with too little around it, and beyond the border by then
+        contour.add(60, 60, 0, 1);
+        contour.fade(10_000, LIFETIME_US);
+        contour.add(125, 80, 0, 1);
+        List<String> shown = new ArrayList<>();
+        contour.show(50_000, (x, y) -> shown.add(x + "," + y));
+        assertEquals(List.of("35,20", "36,20"), shown);
+    }
+
+    @Test
+    public void wipedContourIsEmpty() {
+        startAtRest();
+        addBlock(30, 20, 3);
+        contour.wipe();
+        assertTrue(contour.isEmpty());
+        contour.add(30, 20, 0, 1);
+        assertEquals(64, contour.support(31, 21, 0, 1));
+    }
+}

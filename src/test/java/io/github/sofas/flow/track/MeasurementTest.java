@@ -1,0 +1,213 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.Motion;
+import java.util.Random;
+import org.junit.Test;
+
+/** What is known of a motion of about 100 px/s to the right, measured once each 10 ms: once a pixel. */
+public class MeasurementTest {
+    private static final long STEP_US = 10_000;
+    private static final double RADIUS_PX = 9;
+    private static final SofasParameters.Track P = SofasParameters.defaults().track();
+
+    private final Random random = new Random(11);
+    private final MetricFit fit = new MetricFit(256, 128, MetricFit.CELL_PX, LiveEvents.CAPACITY, 1900);
+    private final LiveEvents live = new LiveEvents();
+    private final Motion motion = new Motion();
+    private final Measurement measurement = new Measurement(P);
+    private long nowUs = 1_000_000;
+    private double edgePx = 30;
+
+    private void start(double vx) {
+        measurement.restart();
+        motion.set(nowUs, vx, 0);
+        motion.centreX = 30;
+        motion.centreY = 50;
+    }
+
+    /** An upright edge of 30 rows goes on for 10 ms at a speed, and fires once in every column that it enters. */
+    private void edge(double pxPerS) {
+        for (long timeUs = nowUs; timeUs < nowUs + STEP_US; timeUs += 250) {
+            double to = edgePx + pxPerS * 250e-6;
+            for (int column = (int) Math.ceil(edgePx); column < to; column++) {
+                for (int y = 35; y < 65; y++) {
+                    live.add(column, y, timeUs, 1, Claim.OWN, 0);
+                }
+            }
+            edgePx = to;
+        }
+        nowUs += STEP_US;
+    }
+
+    /** Events at chance places, as many as of the edge at 100 px/s. */
+    private void noise() {
+        for (int i = 0; i < 30; i++) {
+            live.add(20 + random.nextInt(40), 30 + random.nextInt(40), nowUs + i * STEP_US / 30, 1, Claim.OWN, 0);
+        }
+        nowUs += STEP_US;
+    }
+
+    private long lifetimeUs() {
+        return (long) (measurement.lifetimePx() / Math.hypot(motion.vx, motion.vy) * 1e6);
+    }
+
+    private void measure() {
+        live.expire(nowUs - lifetimeUs());
+        measurement.measure(motion, live, RADIUS_PX, fit, lifetimeUs(), nowUs);
+        motion.moveReference(nowUs);
+    }
+
+    @Test
+    public void nothingIsKnownAtFirst() {
+        start(100);
+        assertFalse(measurement.isBlurred());
+        assertFalse(measurement.knowsChange());
+        assertEquals(P.lifetimePx(), measurement.lifetimePx(), 0);
+        assertEquals(0, measurement.loss().metric, 0);
+    }
+
+    @Test
+    public void edgeIsSharpAndItsVelocityIsFound() {
+        start(90);
+        for (int i = 0; i < 20; i++) {
+            edge(100);
+            measure();
+            assertTrue(measurement.isSharp());
+            assertFalse(measurement.isBlurred());
+        }
+        assertEquals(100, motion.vx, 2);
+        assertEquals(0, motion.vy, 2);
+        // known across it, and not along it
+        assertTrue(measurement.loss().xx > 20 * measurement.loss().yy);
+        assertTrue(measurement.knowsChange());
+    }
+
+    @Test
+    public void noiseIsBlurredAfterFivePixelsOfTravel() {
+        start(100);
+        for (int i = 0; i < 5; i++) {
+            noise();
+        }
+        measure();
+        assertFalse(measurement.isSharp());
+        double travelledPx = 0;
+        // it finds velocities of its own, along which the travel is counted
+        for (int i = 0; i < 20; i++) {
+            if (Math.abs(travelledPx - 5) > 0.5) {
+                assertEquals(travelledPx + " px", travelledPx > 5, measurement.isBlurred());
+            }
+            noise();
+            travelledPx += measurement.lifetimePx() * STEP_US / lifetimeUs();
+            measure();
+            assertFalse(measurement.isSharp());
+        }
+        assertTrue(measurement.isBlurred());
+    }
+
+    @Test
+    public void whatIsSharpAgainIsBlurredNoMore() {
+        start(100);
+        for (int i = 0; i < 12; i++) {
+            noise();
+            measure();
+        }
+        assertTrue(measurement.isBlurred());
+        live.clear();
+        motion.set(nowUs, 100, 0);
+        for (int i = 0; i < 5; i++) {
+            edge(100);
+        }
+        measure();
+        assertTrue(measurement.isSharp());
+        assertFalse(measurement.isBlurred());
+        measurement.restart();
+        assertTrue(measurement.isSharp());
+    }
+
+    @Test
+    public void lifetimeOfASteadyMotionGrowsToItsMost() {
+        start(100);
+        double before = measurement.lifetimePx();
+        for (int i = 0; i < 60; i++) {
+            edge(100);
+            measure();
+            assertTrue(measurement.lifetimePx() >= before);
+            before = measurement.lifetimePx();
+        }
+        assertEquals(P.maxLifetimePx(), measurement.lifetimePx(), 0);
+    }
+
+    @Test
+    public void lifetimeShrinksWhenTheMotionChanges() {
+        start(100);
+        for (int i = 0; i < 60; i++) {
+            edge(100);
+            measure();
+        }
+        // half as fast again from one moment to the next
+        for (int i = 0; i < 8; i++) {
+            edge(150);
+            measure();
+        }
+        assertTrue(measurement.lifetimePx() < P.maxLifetimePx());
+        assertTrue(measurement.lifetimePx() >= P.lifetimePx());
+    }
+
+    @Test
+    public void lifetimeStaysWithinNewBounds() {
+        start(100);
+        measurement.setParameters(SofasParameters.defaults().with("lifetimePx", 8).track());
+        assertEquals(8, measurement.lifetimePx(), 0);
+        measurement.setParameters(SofasParameters.defaults().with("lifetimePx", 2).with("maxLifetimePx", 3).track());
+        assertEquals(3, measurement.lifetimePx(), 0);
+    }
+
+    @Test
+    public void quarterOfTheEventsMustBeNewAndATwelfthOfMany() {
+        start(100);
+        assertEquals("at least", 40, measurement.newsNeeded(100));
+        assertEquals(100, measurement.newsNeeded(400));
+        assertEquals(500, measurement.newsNeeded(2_000));
+        // before anything is known of how often they meet all are needed, and so a quarter of them
+        assertEquals(3_000, measurement.newsNeeded(12_000));
+        // ten events a cell and more meet often: a quarter of 12,000 is enough, of which a quarter is less than a
+        // twelfth of all
+        for (int i = 0; i < 12_000; i++) {
+            live.add(30 + i / 2_400, 40 + i % 20, nowUs + i, 1, Claim.OWN, 0);
+        }
+        nowUs += 12_000;
+        motion.set(nowUs, 400, 0);
+        measure();
+        assertEquals(1_000, measurement.newsNeeded(12_000));
+    }
+
+    @Test
+    public void eventsOnTheContourOfAnotherAreNotMeasured() {
+        start(100);
+        for (int i = 0; i < 5; i++) {
+            edge(100);
+        }
+        for (int i = 0; i < 500; i++) {
+            live.add(20, 30, nowUs - 1, 1, i % 2 == 0 ? Claim.SHARED : Claim.REMEMBERED, 0);
+        }
+        measure();
+        assertEquals(150, fit.size());
+    }
+
+    @Test
+    public void handfulOfEventsHasNoMotion() {
+        start(100);
+        for (int i = 0; i < Measurement.LEAST_EVENTS - 1; i++) {
+            live.add(30, 40 + i, nowUs - 20_000 + i, 1, Claim.OWN, 0);
+        }
+        measure();
+        assertEquals(100, motion.vx, 0);
+        assertEquals(0, measurement.loss().metric, 0);
+    }
+}

@@ -1,0 +1,177 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.track.TrackPlane.State;
+import java.util.Random;
+import org.junit.Test;
+
+/**
+ * What becomes of an upright edge of 30 rows that moves to the right by a column each 10 ms. At 100 px/s its lifetime
+ * of 5 px is 50 ms, and it is remembered for 64 px, 640 ms.
+ */
+public class TrackPlaneTest {
+    private static final SensorSize SENSOR = new SensorSize(128, 96);
+    private static final int ROWS = 30;
+    private static final long COLUMN_US = 10_000;
+
+    private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, LiveEvents.CAPACITY, 1900);
+    private final TrackPlane plane = new TrackPlane(SENSOR, new Contour.Spare(SENSOR),
+        SofasParameters.defaults().track());
+    private long nowUs;
+    private int column;
+
+    /** Found in three columns, which it took no events in. */
+    private void start(int firstColumn) {
+        nowUs = 1_000_000;
+        column = firstColumn;
+        plane.start(1, nowUs + 3 * COLUMN_US, 100, 0);
+        for (int c = 0; c < 3; c++) {
+            for (int y = 0; y < ROWS; y++) {
+                plane.addPast(column, 30 + y, nowUs, 1);
+            }
+            column++;
+            nowUs += COLUMN_US;
+        }
+        plane.recentre(fit, nowUs);
+    }
+
+    /** Goes on, and looks after it each 5 ms. */
+    private State goOn(int columns) {
+        return goOn(columns, Claim.OWN);
+    }
+
+    private State goOn(int columns, Claim claim) {
+        State state = null;
+        for (int c = 0; c < columns; c++) {
+            for (int y = 0; y < ROWS; y++) {
+                plane.take(column, 30 + y, nowUs, 1, claim, fit);
+            }
+            column++;
+            nowUs += COLUMN_US / 2;
+            plane.update(nowUs);
+            nowUs += COLUMN_US / 2;
+            state = plane.update(nowUs);
+        }
+        return state;
+    }
+
+    /** Waits without events, looking each 5 ms, until it is in another state; returns for how long. */
+    private long waitedWhile(State state) {
+        long fromUs = nowUs;
+        while (plane.update(nowUs) == state && nowUs - fromUs < 10_000_000) {
+            nowUs += COLUMN_US / 2;
+        }
+        return nowUs - fromUs;
+    }
+
+    @Test
+    public void structureThatGetsItsEventsIsTracked() {
+        start(20);
+        assertEquals(State.TRACKED, goOn(30));
+        assertEquals(100, plane.motion().vx, 3);
+        // known by its ends only
+        assertEquals(0, plane.motion().vy, 5);
+        Segment segment = plane.segment(Segment.Fate.ALIVE, 0);
+        assertEquals(30 * ROWS, segment.events());
+        assertEquals(1, segment.id());
+        // at its last events, those of column 52
+        assertEquals(52, segment.maxX(), 1);
+        assertEquals(30, segment.minY(), 1);
+        assertEquals(59, segment.maxY(), 1);
+    }
+
+    @Test
+    public void structureThatHadFewEventsEndsAsSoonAsItGetsTooFew() {
+        // 180 events, less than the 200 that it must have had to be waited for
+        start(20);
+        assertEquals(State.TRACKED, goOn(6));
+        waitedWhile(State.TRACKED);
+        assertEquals(State.ENDED, plane.update(nowUs));
+    }
+
+    @Test
+    public void structureThatHadManyIsWaitedForUntilItIsForgotten() {
+        start(20);
+        assertEquals(State.TRACKED, goOn(7));
+        // starved when less than 0.3 of the usual events are left of a lifetime
+        long trackedUs = waitedWhile(State.TRACKED);
+        assertTrue(trackedUs > 0 && trackedUs <= plane.lifetimeUs());
+        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertEquals(64 / plane.motion().speed(ROWS / Math.sqrt(12)) * 1e6, waitedWhile(State.WAITED_FOR), 20_000);
+        assertEquals(State.ENDED, plane.update(nowUs));
+    }
+
+    @Test
+    public void hiddenStructureIsTrackedAgainWhenItComesBack() {
+        start(20);
+        goOn(12);
+        waitedWhile(State.TRACKED);
+        // hidden for 200 ms in all, in which it goes on by 20 px
+        while (nowUs < 1_350_000) {
+            nowUs += COLUMN_US;
+            assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        }
+        column = 20 + 35;
+        assertTrue(plane.remembered(column, 45, nowUs) > 0);
+        assertEquals(State.TRACKED, goOn(6, Claim.REMEMBERED));
+        assertEquals(18 * ROWS, plane.segment(Segment.Fate.ALIVE, 0).events());
+    }
+
+    @Test
+    public void starvedStructureIsWaitedForAnewEachTime() {
+        start(20);
+        goOn(10);
+        long first = waitedWhile(State.TRACKED);
+        nowUs += 400_000;
+        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        column += (int) ((first + 400_000) / COLUMN_US);
+        assertEquals(State.TRACKED, goOn(6));
+        waitedWhile(State.TRACKED);
+        // 400 ms of the first time are not counted
+        nowUs += 400_000;
+        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+    }
+
+    @Test
+    public void structureThatHasLeftTheSensorIsNotWaitedFor() {
+        // the last column that it entered is the sensor's last one but one: it leaves within 20 ms
+        start(107);
+        assertEquals(State.TRACKED, goOn(17));
+        long endUs = nowUs + waitedWhile(State.TRACKED);
+        assertEquals(State.ENDED, plane.update(endUs));
+    }
+
+    @Test
+    public void structureThatNoLongerIsSharpEnds() {
+        // as many events as ever, at chance places of 20 columns
+        Random random = new Random(5);
+        start(20);
+        State state = goOn(10);
+        for (int i = 0; i < 30 && state != State.ENDED; i++) {
+            for (int k = 0; k < ROWS; k++) {
+                plane.take(25 + random.nextInt(20), 30 + random.nextInt(ROWS), nowUs + k * 300, 1, Claim.OWN, fit);
+            }
+            nowUs += COLUMN_US;
+            state = plane.update(nowUs);
+        }
+        assertEquals(State.ENDED, state);
+    }
+
+    @Test
+    public void planeBeginsAnewWithTheNextStructure() {
+        start(20);
+        goOn(10);
+        waitedWhile(State.TRACKED);
+        plane.clear();
+        start(20);
+        assertEquals(State.TRACKED, goOn(1));
+        assertEquals(ROWS, plane.segment(Segment.Fate.ALIVE, 0).events());
+        assertEquals(0, plane.remembered(33, 45, nowUs + 1));
+    }
+}
