@@ -30,7 +30,7 @@ final class RemovedParameters {
         constant("max-step-px", "4 px");
         constant("flat-sigmas", "2");
         constant("stiffness", "0.002");
-        constant("shared-score", "0.5");
+        constant("shared-score", "0.25");
         constant("max-bend-px", "0.25 px");
         constant("flat-change", "0.1");
         constant("change-px", "1.5 px");
