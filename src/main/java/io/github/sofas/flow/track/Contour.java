@@ -12,9 +12,9 @@ import java.util.Arrays;
  *
  * <p>Ours: an event lies on the contour when the 3 x 3 cells around it hold enough events of its polarity; those of the
  * other polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge seldom
- * fires both ways, while what merely flickers does. Counts fade instead of being taken back event by event, and stay where
- * they are when the motion is known a little better: so a label costs the same at any density, and all else is paid per
- * travel.
+ * fires both ways, while what merely flickers does. Counts fade instead of being taken back event by event, and stay
+ * where they are when the motion is known a little better: so a label costs the same at any density, and all else is
+ * paid per travel.
  */
 final class Contour {
     /** Cells around the sensor, for what leaves it between two anchorings. */
