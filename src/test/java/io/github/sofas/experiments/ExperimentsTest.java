@@ -55,7 +55,8 @@ public class ExperimentsTest {
                 assertEquals(setting, trial.setting());
                 assertTrue(setting.id() + " " + method, trial.evaluation().flow().events() > 100);
                 // a recording that cannot be read is a part without a line
-                String part = " of " + (PROGRESS.size() + experiments.failures().size()) + ": " + setting.title() + ": " + method.title();
+                int parts = PROGRESS.size() + experiments.failures().size();
+                String part = " of " + parts + ": " + setting.title() + ": " + method.title();
                 assertEquals(part, 1, PROGRESS.stream().filter(line -> line.endsWith(part)).count());
             }
         }
