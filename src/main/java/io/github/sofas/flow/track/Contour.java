@@ -15,6 +15,9 @@ import java.util.Arrays;
  * fires both ways, while what merely flickers does. Counts fade instead of being taken back event by event, and stay
  * where they are when the motion is known a little better: so a label costs the same at any density, and all else is
  * paid per travel.
+ *
+ * <p>Longer than other classes, because the counts, their box and their frame change together: anchoring, drawing and
+ * absorbing touch all three.
  */
 final class Contour {
     /** Cells around the sensor, for what leaves it between two anchorings. */

@@ -15,6 +15,9 @@ import io.github.sofas.flow.motion.Motion;
  * <p>Ours, because hits alone leave the velocity a tenth off: the metric is compared, not hits counted; neighbours are
  * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration, a rotation
  * and a growth, so that the velocity is that of now and not of the middle of the window.
+ *
+ * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, merges and ends
+ * it. What each of these does is in {@link Contour}, {@link Measurement}, {@link LiveEvents} and {@link ContourMemory}.
  */
 public final class TrackPlane {
     /** Events that a structure must have had to be waited for while it is hidden. */
@@ -65,6 +68,7 @@ public final class TrackPlane {
     private long lifetimeUs;
     private int sinceMeasured;
     private long measuredUs;
+    private long widenedUs;
     /** Events per px of travel: as many at any speed. */
     private double usualDensity;
 
@@ -97,6 +101,7 @@ public final class TrackPlane {
         lifetimeUs = lifetime();
         sinceMeasured = 0;
         measuredUs = nowUs;
+        widenedUs = nowUs;
         usualDensity = 0;
     }
 
@@ -149,9 +154,9 @@ public final class TrackPlane {
         if (claim != Claim.REMEMBERED) {
             memory.see(x, y, timeUs);
         }
-        int tile = live.thinning() == 1 && !live.isFull() ? 0 : memory.tile(x, y, timeUs);
+        int tile = memory.tile(x, y, timeUs);
         if (live.takes(tile)) {
-            live.add(x, y, timeUs, polarity, claim, tile == 0 ? memory.tile(x, y, timeUs) : tile);
+            live.add(x, y, timeUs, polarity, claim, tile);
             sinceMeasured++;
             if (sinceMeasured >= measurement.newsNeeded(live.size())) {
                 recentre(fit, timeUs);
@@ -187,6 +192,11 @@ public final class TrackPlane {
     /** Goes to the state that it is in by now: the only place where it changes. */
     State update(long nowUs) {
         live.expire(nowUs - lifetimeUs);
+        if (nowUs - widenedUs > lifetimeUs) {
+            // once per lifetime: the events of the tiles that are taken anew are complete only then
+            widenedUs = nowUs;
+            live.widen();
+        }
         contour.fade(nowUs, lifetimeUs);
         followDensity();
         if (!isStarved()) {
@@ -220,7 +230,6 @@ public final class TrackPlane {
     /** Measures the motion over the live events, and lets contour and memory follow it. */
     void recentre(MetricFit fit, long nowUs) {
         live.expire(nowUs - lifetimeUs);
-        live.widen();
         sinceMeasured = 0;
         measuredUs = nowUs;
         if (live.size() == 0) {
