@@ -40,6 +40,9 @@ public final class CommonMotion {
         load(one, other, nowUs);
         add(first, lossOne);
         add(second, lossOther);
+        if (!(lossOne.turn > 0) && !(lossOther.turn > 0)) {
+            pin(2, 0);
+        }
         if (!(lossOne.grow > 0) && !(lossOther.grow > 0)) {
             pin(3, 0);
         }

@@ -13,6 +13,8 @@ import java.util.Arrays;
  * once and on equal terms; and cells are 2 x 2 px, which makes neighbouring velocities overlap and lets an accumulator
  * stay in the first-level cache. Events are added in blocks ({@link VoteBlock}), projection by projection, for the same
  * reason.
+ *
+ * <p>Longer than other classes, because its events and its rings go in step: each ring holds a stretch of the events.
  */
 public final class FlowPlane {
     /** Most events, and longest time, between two settlings: how late a structure may be found. */
