@@ -43,7 +43,7 @@ public final class Main {
         commandLine.setExpandAtFiles(false);
         commandLine.setParameterExceptionHandler((exception, ignored) -> {
             exception.getMessage().lines().map(Printable::of).forEach(err::println);
-            CommandLine.UnmatchedArgumentException.printSuggestions(exception, err);
+            printSuggestions(args, err);
             err.println("Try '" + exception.getCommandLine().getCommandSpec().qualifiedName() + " --help'.");
             return USAGE;
         });
@@ -67,5 +67,14 @@ public final class Main {
         }
         err.flush();
         return isLost && exitCode == OK ? FAILED : exitCode;
+    }
+
+    /** Prints what may have been meant; all options are asked, those too that the help leaves out. */
+    private static void printSuggestions(String[] args, PrintWriter err) {
+        try {
+            new SofasCommand().commandLine(true, args).parseArgs(SofasCommand.withoutHelpAll(args));
+        } catch (CommandLine.ParameterException e) {
+            CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
+        }
     }
 }

@@ -52,8 +52,12 @@ final class SofasCommand implements Callable<Integer> {
      * several times as long as reading its arguments.
      */
     CommandLine commandLine(String... arguments) {
+        return commandLine(Arrays.stream(arguments).anyMatch(SHOW_PARAMETERS::contains), arguments);
+    }
+
+    /** The same with the parameters shown or not, whatever the arguments ask for. */
+    CommandLine commandLine(boolean showsParameters, String... arguments) {
         CommandLine line = new CommandLine(this);
-        boolean showsParameters = Arrays.stream(arguments).anyMatch(SHOW_PARAMETERS::contains);
         List<Class<?>> asked = COMMANDS.stream()
             .filter(each -> arguments.length > 0 && name(each).equals(arguments[0]))
             .collect(Collectors.toList());

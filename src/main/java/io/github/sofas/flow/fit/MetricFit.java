@@ -6,8 +6,8 @@ import java.util.Arrays;
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a motion, a quadratic through the nine values, and one step to its top.
  *
- * <p>Longer than other classes, because all that it fits, velocity, acceleration, rotation and growth, shares the events
- * that are laid out here.
+ * <p>Longer than other classes, because all that it fits, velocity, acceleration, rotation and growth, shares the
+ * events that are laid out here.
  */
 public final class MetricFit {
     /** Side of the cells that votes are given to: cells as large as pixels favour whole pixels of travel. */
