@@ -19,7 +19,9 @@ public class JarTest {
             jar.stream().filter(entry -> entry.getName().endsWith(".class"))
                 .forEach(entry -> packages.add(entry.getName().substring(0, entry.getName().lastIndexOf('/'))));
             assertEquals(new TreeSet<>(List.of("io/github/sofas/event", "io/github/sofas/export",
-                "io/github/sofas/flow", "io/github/sofas/jaer")), packages);
+                "io/github/sofas/flow", "io/github/sofas/flow/fit", "io/github/sofas/flow/motion",
+                "io/github/sofas/flow/paper", "io/github/sofas/flow/search", "io/github/sofas/flow/track",
+                "io/github/sofas/jaer")), packages);
             assertTrue(jar.getEntry("io/github/sofas/jaer/SofasFlow.class") != null);
             assertEquals("io.github.sofas.jaer.SofasAgent",
                 jar.getManifest().getMainAttributes().getValue("Premain-Class"));

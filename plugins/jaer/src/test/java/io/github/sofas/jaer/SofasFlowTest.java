@@ -445,7 +445,7 @@ public class SofasFlowTest {
         assertEquals(last.size() + 1, Files.readAllLines(Path.of(name + ".flow.csv")).size());
         List<String> segments = Files.readAllLines(Path.of(name + ".segments.csv"));
         assertEquals("segment,first_t_us,last_t_us,events,vx_px_per_s,vy_px_per_s,min_x,min_y,max_x,max_y,fate,"
-            + "merged_into", segments.get(0));
+            + "merged_into,turn_rad_per_s,growth_per_s", segments.get(0));
         assertEquals(sofas.segments().size() + 1, segments.size());
         assertTrue(segments.get(1), segments.get(1).startsWith(sofas.segments().get(0).id() + ","));
     }
