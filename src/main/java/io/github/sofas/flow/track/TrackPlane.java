@@ -256,6 +256,11 @@ public final class TrackPlane {
             contour.fade(nowUs, lifetimeUs);
             contour.follow(motion);
         }
+        followContour();
+    }
+
+    /** Takes centre, lifetime and memory from the contour as it lies now. */
+    private void followContour() {
         contour.measure(live, motion);
         motion.moveCentre(contour.centreX(), contour.centreY());
         lifetimeUs = lifetime();
@@ -335,10 +340,7 @@ public final class TrackPlane {
         } else {
             contour.absorb(other.contour, motion);
         }
-        contour.measure(live, motion);
-        motion.moveCentre(contour.centreX(), contour.centreY());
-        lifetimeUs = lifetime();
-        memory.follow(motion, memoryUs());
+        followContour();
         for (int k = 0; k < other.live.size(); k++) {
             int i = other.live.index(k);
             memory.see(other.live.x[i], other.live.y[i], other.live.timeUs[i]);
