@@ -6,7 +6,6 @@ import io.github.sofas.flow.search.BusyPixels;
 import io.github.sofas.flow.search.FlowPlane;
 import io.github.sofas.flow.search.LoneEvents;
 import io.github.sofas.flow.search.StructureSearch;
-import io.github.sofas.flow.track.TrackPlane;
 import io.github.sofas.flow.track.TrackPlaneStack;
 import java.util.List;
 import java.util.function.Consumer;
@@ -40,7 +39,8 @@ final class RefinedMethod implements Method {
     }
 
     private StructureSearch newSearch(SofasParameters p) {
-        return new StructureSearch(flowPlane, p.search(), newFit(SEARCHED_ON_BOTH), new StackedStructures(stack));
+        return new StructureSearch(flowPlane, p.search(), newFit(SEARCHED_ON_BOTH), new StackedStructures(stack),
+            stack.votes());
     }
 
     private MetricFit newFit(int mostOnBoth) {
@@ -58,12 +58,7 @@ final class RefinedMethod implements Method {
     @Override
     public void label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         stack.check(timeUs);
-        TrackPlane plane = stack.match(x, y, timeUs, polarity);
-        if (plane != null) {
-            output.set(i, plane.id(), plane.motion().vxAt(x, y, timeUs),
-                plane.motion().vyAt(x, y, timeUs));
-            stack.take(plane, x, y, timeUs, polarity);
-        } else {
+        if (!stack.label(x, y, timeUs, polarity, output, i)) {
             output.set(i, 0, 0, 0);
             if (!lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
                 flowPlane.add(x, y, timeUs, polarity);
@@ -72,7 +67,7 @@ final class RefinedMethod implements Method {
         if (flowPlane.isToSettle(timeUs)) {
             flowPlane.settle(timeUs);
         }
-        search.run(stack.newVotes());
+        search.run(stack.votes());
     }
 
     @Override

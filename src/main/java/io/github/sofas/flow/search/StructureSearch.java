@@ -20,17 +20,6 @@ public final class StructureSearch {
     private static final double CHANCE_SIGMAS = 6;
     /** Share of its events that a piece must not have been looked at with before, in vain. */
     private static final double NEWS = 0.25;
-    /**
-     * Votes that may be given for each event that is labelled: by the track planes' measurements, which cannot wait,
-     * and what they leave by the search, so that a thousand events that need much of both take no longer than others.
-     * By events, not by time, so that it keeps up with any rate, and results do not depend on the machine.
-     */
-    private static final int VOTES_PER_EVENT = 120;
-    /** What is left to the search at least: many structures must not keep others from being found. */
-    private static final int LEAST_PER_EVENT = 40;
-    /** Most votes that are saved up, and that are owed for measurements. */
-    private static final long MOST_SAVED = 40_000;
-    private static final long MOST_OWED = 100_000;
     /** Votes of the flow plane, and cells looked through, that cost as much as one vote of a fit. */
     private static final int CHEAP_VOTES = 2;
     private static final int CHEAP_CELLS = 4;
@@ -47,12 +36,11 @@ public final class StructureSearch {
     private final PieceRefinement refinement;
     private final MetricFit fit;
     private final Structures structures;
+    private final VoteBudget budget;
     private SofasParameters.Search p;
 
     private Stage stage = Stage.IDLE;
     private long nextLook;
-    private long saved;
-    private long owed;
 
     // the look that is under way: votes of the search before it, projection, its pieces, the one that is looked at
     private long votesBefore;
@@ -73,8 +61,14 @@ public final class StructureSearch {
         return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(FlowPlane.cells(sensor));
     }
 
-    /** Makes a search in a flow plane, which hands what it finds to others. */
-    public StructureSearch(FlowPlane plane, SofasParameters.Search p, MetricFit fit, Structures structures) {
+    /**
+     * Makes a search in a flow plane, which hands what it finds to others.
+     *
+     * @param measuringVotes votes that the measurements of track planes gave so far, which it owes nothing for
+     */
+    public StructureSearch(FlowPlane plane, SofasParameters.Search p, MetricFit fit, Structures structures,
+                           long measuringVotes) {
+        budget = new VoteBudget(measuringVotes);
         this.plane = plane;
         this.structures = structures;
         this.p = p;
@@ -94,14 +88,11 @@ public final class StructureSearch {
     /**
      * Looks for structures as far as is due with another event.
      *
-     * @param measuringVotes votes that the measurements of track planes gave since the event before
+     * @param measuringVotes votes that the measurements of track planes gave so far
      */
     public void run(long measuringVotes) {
-        owed = Math.min(MOST_OWED, owed + measuringVotes);
-        long paid = Math.min(owed, VOTES_PER_EVENT - LEAST_PER_EVENT);
-        owed -= paid;
-        saved = Math.min(MOST_SAVED, saved + VOTES_PER_EVENT - paid);
-        while (saved > 0 && isBusy()) {
+        budget.earn(measuringVotes);
+        while (budget.isLeft() && isBusy()) {
             work();
         }
     }
@@ -137,7 +128,7 @@ public final class StructureSearch {
             votesBefore = fit.votes();
             count = pieces.find(best, p.thresholdSd());
             piece = 0;
-            saved -= plane.cells() / CHEAP_CELLS + plane.count(best / n) / CHEAP_VOTES;
+            budget.spend(plane.cells() / CHEAP_CELLS + plane.count(best / n) / CHEAP_VOTES);
             stage = Stage.CHOOSING;
         }
     }
@@ -220,7 +211,7 @@ public final class StructureSearch {
         if (!refinement.isOver()) {
             refinement.step();
         }
-        saved -= fit.votes() - before;
+        budget.spend(fit.votes() - before);
         if (refinement.isOver()) {
             letGo();
             stage = Stage.CHOOSING;
@@ -255,7 +246,7 @@ public final class StructureSearch {
                 hand(e, structure);
             }
         }
-        saved -= (long) takenSize * n;
+        budget.spend((long) takenSize * n);
     }
 
     private void hand(int event, Structures.Structure structure) {
@@ -269,7 +260,7 @@ public final class StructureSearch {
     /** Takes the events of a new structure out of the next ring. */
     private void takeOut() {
         plane.takeOut(rings, taken, takenSize);
-        saved -= (long) takenSize * n / CHEAP_VOTES;
+        budget.spend((long) takenSize * n / CHEAP_VOTES);
         rings++;
         if (rings == n) {
             stage = Stage.CHOOSING;
@@ -281,7 +272,6 @@ public final class StructureSearch {
         Arrays.fill(refusedUntil, 0);
         stage = Stage.IDLE;
         nextLook = 0;
-        saved = 0;
-        owed = 0;
+        budget.clear();
     }
 }

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
@@ -31,9 +32,7 @@ public final class TrackPlaneStack {
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
-    private MetricFit fit;
-    /** Votes of the fit that were asked for. */
-    private long counted;
+    private final MetricFit fit;
     private TrackPlane[] planes;
     private final List<TrackPlane> unused = new ArrayList<>();
     private LiveEvents spare = new LiveEvents();
@@ -42,8 +41,6 @@ public final class TrackPlaneStack {
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
-    /** Why the event matched last is its plane's. */
-    private Claim claim;
 
     /** Makes an empty stack that reports segments when they end. */
     public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, Consumer<Segment> ended) {
@@ -61,13 +58,18 @@ public final class TrackPlaneStack {
         return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor);
     }
 
-    /** The plane that an event belongs to, or null. */
-    public TrackPlane match(int x, int y, long timeUs, int polarity) {
+    /**
+     * Gives an event to the plane that it belongs to, and labels it with the motion that the plane had before.
+     *
+     * @param output takes flow and segment as its entry i where a plane takes the event
+     * @return whether one did
+     */
+    public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         TrackPlane best = null;
         double bestRate = 0;
         double secondRate = 0;
-        for (int i = 0; i < size; i++) {
-            TrackPlane plane = planes[i];
+        for (int k = 0; k < size; k++) {
+            TrackPlane plane = planes[k];
             int support = plane.support(x, y, timeUs, polarity);
             if (support >= plane.threshold()) {
                 double rate = (double) support / plane.lifetimeUs();
@@ -80,14 +82,23 @@ public final class TrackPlaneStack {
                 }
             }
         }
+        Claim claim;
         if (best == null) {
+            best = remembering(x, y, timeUs);
             claim = Claim.REMEMBERED;
-            return remembering(x, y, timeUs);
+        } else {
+            boolean isShared = secondRate > SHARED_SCORE * bestRate
+                || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
+            claim = isShared ? Claim.SHARED : Claim.OWN;
         }
-        boolean isShared = secondRate > SHARED_SCORE * bestRate
-            || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
-        claim = isShared ? Claim.SHARED : Claim.OWN;
-        return best;
+        if (best == null) {
+            return false;
+        }
+        output.segment[i] = best.id();
+        output.vxPxPerS[i] = best.motion().vxAt(x, y, timeUs);
+        output.vyPxPerS[i] = best.motion().vyAt(x, y, timeUs);
+        best.take(x, y, timeUs, polarity, claim, fit);
+        return true;
     }
 
     /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
@@ -111,11 +122,6 @@ public final class TrackPlaneStack {
             }
         }
         return false;
-    }
-
-    /** Gives the event matched last to its plane. */
-    public void take(TrackPlane plane, int x, int y, long timeUs, int polarity) {
-        plane.take(x, y, timeUs, polarity, claim, fit);
     }
 
     /** From time to time removes planes whose structures are gone, and merges those that describe one structure. */
@@ -183,11 +189,9 @@ public final class TrackPlaneStack {
         planes[size++] = plane;
     }
 
-    /** Votes given by measurements since this was asked last, a measure of work. */
-    public long newVotes() {
-        long votes = fit.votes() - counted;
-        counted += votes;
-        return votes;
+    /** Votes that measurements gave since the start, a measure of work. */
+    public long votes() {
+        return fit.votes();
     }
 
     /** The living segments. */
@@ -210,12 +214,6 @@ public final class TrackPlaneStack {
             planes[i].setParameters(p);
         }
         unused.clear();
-    }
-
-    /** Measures motion with another fit from now on. */
-    public void setFit(MetricFit next) {
-        fit = next;
-        counted = 0;
     }
 
     /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */

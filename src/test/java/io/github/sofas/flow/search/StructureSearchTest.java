@@ -57,7 +57,7 @@ public class StructureSearchTest {
         FlowPlane plane = new FlowPlane(SENSOR.width(), SENSOR.height(), P.search());
         AllStructures structures = new AllStructures();
         MetricFit fit = new MetricFit(SENSOR.width(), SENSOR.height(), MetricFit.CELL_PX, 4096, 300);
-        StructureSearch search = new StructureSearch(plane, P.search(), fit, structures);
+        StructureSearch search = new StructureSearch(plane, P.search(), fit, structures, 0);
         List<Event> edge = Streams.edge(4, 9, ROWS, 0, 10_000);
         for (int i = 0; i < 9 * ROWS; i++) {
             if (i == 8 * ROWS) {
@@ -105,15 +105,24 @@ public class StructureSearchTest {
                 plane.add(e.x(), e.y(), e.timeUs(), e.polarity());
             }
             plane.settle(81_000);
-            search = new StructureSearch(plane, P.search(), fit, structures);
+            search = new StructureSearch(plane, P.search(), fit, structures, 0);
         }
 
-        /** Events until the edge is found, of each of which measurements gave so many votes. */
         private int eventsUntilFound(long measuringVotes) {
+            return eventsUntilFound(0, measuringVotes);
+        }
+
+        /**
+         * Events until the edge is found.
+         *
+         * @param before votes that measurements gave before
+         * @param measuringVotes votes that they give for each event
+         */
+        private int eventsUntilFound(long before, long measuringVotes) {
             int events = 0;
             while (structures.begun == 0) {
-                search.run(measuringVotes);
                 events++;
+                search.run(before + events * measuringVotes);
                 assertTrue("never found", events < 10_000);
             }
             return events;
@@ -147,7 +156,7 @@ public class StructureSearchTest {
         Budget budget = new Budget();
         // of 4,000 votes owed, 80 are paid with each of 50 events; then all 120 are the search's
         budget.search.run(4_000);
-        int events = 1 + budget.eventsUntilFound(0);
+        int events = 1 + budget.eventsUntilFound(4_000, 0);
         int alone = new Budget().eventsUntilFound(0);
         assertTrue("more than 50 events: " + alone, alone > 50);
         assertEquals(alone + 4_000 / 120.0, events, 2);

@@ -1,0 +1,86 @@
+package io.github.sofas.flow.search;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.Test;
+
+/** What the search may spend: 120 votes an event, less up to 80 of those that measurements gave. */
+public class VoteBudgetTest {
+    private final VoteBudget budget = new VoteBudget(1_000);
+
+    /** How many events must be earned until votes are left. */
+    private int eventsUntilLeft(long measuringVotes) {
+        int events = 0;
+        while (!budget.isLeft()) {
+            budget.earn(measuringVotes);
+            events++;
+        }
+        return events;
+    }
+
+    @Test
+    public void eachEventEarnsAHundredAndTwentyVotes() {
+        budget.earn(1_000);
+        assertTrue(budget.isLeft());
+        budget.spend(120);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void whatIsSpentTooMuchIsPaidByTheEventsThatFollow() {
+        budget.spend(1_200);
+        // with the tenth nothing is left, with the eleventh 120
+        assertEquals(11, eventsUntilLeft(1_000));
+    }
+
+    @Test
+    public void measurementsArePaidFirst() {
+        // 50 votes are paid, 70 left
+        budget.earn(1_050);
+        budget.spend(69);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void aThirdIsLeftHoweverMuchMeasurementsOwe() {
+        budget.earn(1_000_000);
+        budget.spend(39);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void noMoreIsOwedThanAHundredThousand() {
+        budget.earn(1_000_000);
+        budget.spend(40);
+        // 80 of 100,000 are paid with each of 1,250 events, one of which was
+        budget.spend(1_249 * 40);
+        assertEquals(1_250, eventsUntilLeft(1_000_000));
+    }
+
+    @Test
+    public void noMoreIsSavedThanFortyThousand() {
+        for (int i = 0; i < 1_000; i++) {
+            budget.earn(1_000);
+        }
+        budget.spend(39_999);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void clearedBudgetOwesNothing() {
+        budget.earn(5_000);
+        budget.clear();
+        assertFalse(budget.isLeft());
+        budget.earn(5_000);
+        budget.spend(119);
+        assertTrue(budget.isLeft());
+    }
+}
