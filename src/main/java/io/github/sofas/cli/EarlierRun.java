@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * What the summary of an earlier run says of it. The summary gets its name last of all results, so that none of them is
@@ -54,30 +54,30 @@ record EarlierRun(String request, boolean complete, double doubtfulShare, Map<St
      * Why its results are not those of a run; null where they are, and whole.
      *
      * @param wanted what that run asks for
-     * @param files its results
+     * @param bytes the sizes that its results have now, by name; 0 for one that is not there
      */
-    String whyNot(String wanted, List<Path> files) {
+    String whyNot(String wanted, Map<String, Long> bytes) {
         String[] now = wanted.split(" ");
-        String[] then = request == null ? new String[0] : request.split(" ");
-        if (then.length != now.length) {
+        String[] before = request == null ? new String[0] : request.split(" ");
+        if (before.length != now.length) {
             return "its results are of another program, or of an older version";
         }
-        if (!then[0].equals(now[0])) {
-            return "its results are of version " + then[0] + " and this is " + now[0];
+        if (!before[0].equals(now[0])) {
+            return "its results are of version " + before[0] + " and this is " + now[0];
         }
-        if (!then[1].equals(now[1])) {
+        if (!before[1].equals(now[1])) {
             return "the recording has another size or time of change than it had";
         }
-        if (!then[2].equals(now[2])) {
+        if (!before[2].equals(now[2])) {
             return "its results are of other options or parameters";
         }
         if (!complete) {
             return "the recording could not be read to its end";
         }
-        for (Path file : files) {
-            Long bytes = fileBytes.get(file.getFileName().toString());
-            if (bytes != null && file.toFile().length() != bytes) {
-                return file.getFileName() + " must have " + bytes + " bytes but has " + file.toFile().length();
+        for (Map.Entry<String, Long> file : new TreeMap<>(bytes).entrySet()) {
+            Long then = fileBytes.get(file.getKey());
+            if (then != null && !then.equals(file.getValue())) {
+                return file.getKey() + " must have " + then + " bytes but has " + file.getValue();
             }
         }
         return null;

@@ -133,7 +133,7 @@ final class InfoCommand implements Callable<Integer> {
             } catch (EventSourceException e) {
                 damage = e;
             }
-            return Summaries.of(recording, reader, damage, notes);
+            return Summaries.of(recording.toString(), reader, damage, notes);
         }
     }
 

@@ -34,12 +34,14 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * One recording from its first event to its result files: read a batch, label it, write its rows, again
  * ({@link BatchPipeline}).
  *
  * @param recording what is read
+ * @param source the recording as the summary names it
  * @param options how it is read
  * @param method labels the events
  * @param out folder of the results
@@ -48,8 +50,8 @@ import java.util.Map;
  * @param replaces whether results that exist are replaced
  * @param formats of the tables of events and tracks, each once, in the order of the enum
  */
-record RecordingRun(Path recording, RecordingOptions options, MethodChoice method, Path out, String name,
-                    String reportedCommand, boolean replaces, List<TableFormat> formats) {
+record RecordingRun(Path recording, String source, RecordingOptions options, MethodChoice method, Path out,
+                    String name, String reportedCommand, boolean replaces, List<TableFormat> formats) {
     /**
      * What came of it.
      *
@@ -114,7 +116,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
 
     /** The same run, which replaces results that exist. */
     RecordingRun replacing() {
-        return new RecordingRun(recording, options, method, out, name, reportedCommand, true, formats);
+        return new RecordingRun(recording, source, options, method, out, name, reportedCommand, true, formats);
     }
 
     /**
@@ -138,7 +140,8 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
     /** Why the results that are there are not those of this run, of the whole recording; null where they are. */
     String whyNotDone() {
         EarlierRun earlier = EarlierRun.of(summaryFile(out, name));
-        return earlier == null ? "there is no summary, or it is cut" : earlier.whyNot(request(), files());
+        return earlier == null ? "there is no summary, or it is cut" : earlier.whyNot(request(), files().stream()
+            .collect(Collectors.toMap(file -> file.getFileName().toString(), file -> file.toFile().length())));
     }
 
     /**
@@ -170,7 +173,7 @@ record RecordingRun(Path recording, RecordingOptions options, MethodChoice metho
             segments.addAll(labeller.segments());
             RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9,
                 steps.decodeNs / 1e9, steps.engineNs / 1e9, steps.outputNs / 1e9);
-            RecordingSummary read = Summaries.of(recording, reader, steps.damage);
+            RecordingSummary read = Summaries.of(source, reader, steps.damage);
             RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
                 method.parameters(), steps.eventsWithFlow, steps.withoutFlow.likelyReason(), segments,
                 Summaries.dropped(reader.counts()), seconds, peakHeapBytes());

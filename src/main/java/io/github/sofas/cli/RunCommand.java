@@ -1,6 +1,5 @@
 package io.github.sofas.cli;
 
-import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.TableFormat;
 import io.github.sofas.recording.Printable;
 import io.github.sofas.recording.RecordingOptions;
@@ -8,10 +7,8 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.ExecutionException;
@@ -52,26 +49,12 @@ final class RunCommand implements Callable<Integer> {
         description = "Output folder; created if it does not exist.")
     private Path out;
 
-    @Option(names = "--format", paramLabel = "FORMAT", split = ",", defaultValue = "csv",
-        description = "Formats of NAME.flow and NAME.tracks: csv, parquet, npz, or some of them; default: "
-            + "${DEFAULT-VALUE}.")
-    private List<String> formatNames;
+    @Mixin
+    private ResultOptions results;
 
     @Option(names = "--report",
         description = "Also write NAME.report.html, a self-contained page with curves, pictures and a clip.")
     private boolean report;
-
-    @Option(names = {"-f", "--force"}, description = "Replace existing results; otherwise they are an error.")
-    private boolean force;
-
-    @Option(names = "--resume",
-        description = "Continue an interrupted batch: skip recordings with complete results of the same recording, "
-        + "parameters and version.")
-    private boolean resume;
-
-    @Option(names = "--name-with-extension",
-        description = "Keep the extension in NAME, for recordings that differ only in it.")
-    private boolean nameWithExtension;
 
     @Option(names = {"-j", "--jobs"}, paramLabel = "N", defaultValue = "1",
         description = "Number of recordings at a time; default: ${DEFAULT-VALUE}.")
@@ -144,19 +127,6 @@ final class RunCommand implements Callable<Integer> {
         doubts.values().forEach(doubt -> spec.commandLine().getErr().println(Printable.of(doubt)));
     }
 
-    private List<TableFormat> formats() {
-        Set<TableFormat> formats = EnumSet.noneOf(TableFormat.class);
-        for (String name : formatNames) {
-            formats.add(TableFormat.named(name).orElseThrow(() -> usage("--format must be csv, parquet or npz but was "
-                + name + (name.equalsIgnoreCase("hdf5") ? ", which no library for Java writes in pieces; in "
-                + "Python, h5py makes it of an npz" : ""))));
-        }
-        if (report && !formats.contains(TableFormat.CSV)) {
-            throw usage("--report is drawn from the CSV, so --format must have csv too");
-        }
-        return List.copyOf(formats);
-    }
-
     /** Everything that can be wrong before the first recording is opened. */
     private List<RecordingRun> check() {
         if (jobs < 1) {
@@ -165,33 +135,38 @@ final class RunCommand implements Callable<Integer> {
         if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
             throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
         }
+        List<TableFormat> formats;
         try {
             reading.check();
+            formats = results.formats();
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
-        List<TableFormat> formats = formats();
+        if (report && !formats.contains(TableFormat.CSV)) {
+            throw usage("--report is drawn from the CSV, so --format must have csv too");
+        }
         RecordingOptions options = reading.recordingOptions();
         MethodChoice method = methodOptions.choice(parameterOptions);
         Map<String, Path> named;
         try {
-            named = RecordingArguments.byName(RecordingArguments.expand(arguments), nameWithExtension);
+            named = RecordingArguments.byName(RecordingArguments.expand(arguments), results.keepsExtension());
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
         String reported = report ? typed() : null;
         List<RecordingRun> runs = new ArrayList<>();
         named.forEach((name, recording) ->
-            runs.add(new RecordingRun(recording, options, method, out, name, reported, force, formats)));
+            runs.add(new RecordingRun(recording, recording.toString(), options, method, out, name, reported,
+                results.replaces(), formats)));
         OutputFiles outputs = new OutputFiles(spec.commandLine());
         List<Path> inputs = new ArrayList<>(named.values());
         inputs.add(parameterOptions.config());
         outputs.check(inputs, runs.stream().flatMap(run -> run.files().stream()).toList());
         outputs.makeFolder(out);
-        if (resume) {
+        if (results.resumes()) {
             return toResume(runs);
         }
-        if (!force) {
+        if (!results.replaces()) {
             outputs.refuseExisting(runs.stream().flatMap(run -> run.files().stream()).toList());
         }
         return runs;
@@ -265,13 +240,9 @@ final class RunCommand implements Callable<Integer> {
             return started.succeeds.get();
         } catch (ExecutionException e) {
             Throwable cause = e.getCause();
-            if (cause instanceof EventSourceException) {
-                progress.say(cause.getMessage());
-            } else if (cause instanceof IOException) {
-                progress.say(place + "results cannot be written: " + FileFailure.text((IOException) cause));
-            } else if (cause instanceof OutOfMemoryError) {
-                progress.say(place + "out of memory: Java's heap has " + (Runtime.getRuntime().maxMemory() >> 20)
-                    + " MB; SOFAS_JAVA_OPTS=-Xmx4g would give it 4096");
+            String known = RunFailure.text(started.run.recording(), cause);
+            if (known != null) {
+                progress.say(known);
             } else {
                 progress.clear();
                 sofas.printUnexpected(spec.commandLine().getErr(), place, cause);

@@ -4,7 +4,6 @@ import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.recording.RecordingCounts;
 import io.github.sofas.recording.RecordingReader;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,14 +17,15 @@ final class Summaries {
     /**
      * Sums up a recording that was read as far as it goes.
      *
+     * @param recording as the summary names it
      * @param damage why it could not be read to its end; null where it was
      */
-    static RecordingSummary of(Path recording, RecordingReader reader, EventSourceException damage) {
+    static RecordingSummary of(String recording, RecordingReader reader, EventSourceException damage) {
         return of(recording, reader, damage, List.of());
     }
 
     /** The same, with notes beside the reader's own. */
-    static RecordingSummary of(Path recording, RecordingReader reader, EventSourceException damage,
+    static RecordingSummary of(String recording, RecordingReader reader, EventSourceException damage,
                                List<String> notes) {
         List<String> allNotes = new ArrayList<>(notes);
         allNotes.addAll(reader.notes());
@@ -49,7 +49,7 @@ final class Summaries {
             faults.add(damage.getMessage());
         }
         String format = reader.formatName() + reader.compression().map(how -> " (" + how + ")").orElse("");
-        return new RecordingSummary(recording.toString(), format, reader.chip().orElse(""), reader.sensor(),
+        return new RecordingSummary(recording, format, reader.chip().orElse(""), reader.sensor(),
             counts.events(), reader.firstTimeUs(), reader.lastTimeUs(), byType, damage == null, faults,
             allNotes, counts.doubtfulShare());
     }
