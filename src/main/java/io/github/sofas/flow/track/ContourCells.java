@@ -1,0 +1,246 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.event.SensorSize;
+import java.util.Arrays;
+
+/**
+ * Counts of the events of late by cell of a track plane's frame, ON and OFF apart, and the box of the cells that hold
+ * any. A cell is as large as a pixel.
+ *
+ * <p>Ours: the 3 x 3 cells around an event support it; those of the other polarity count against it by half. A contour
+ * one cell wide would lose events to jitter, and an edge seldom fires both ways, while what merely flickers does.
+ */
+final class ContourCells {
+    /** Cells around the sensor, for what leaves it between two anchorings of the frame. */
+    static final int MARGIN = 24;
+    private static final int MOST = Short.MAX_VALUE;
+    /** Each fading takes an eighth. */
+    private static final int FADING_BITS = 3;
+
+    private final int width;
+    private final int height;
+    /** Counts of ON and OFF events by cell; greater ones stay at the most. */
+    private final short[] on;
+    private final short[] off;
+
+    // box of the occupied cells, a cell wider all round; beyond it there is no support
+    private int minX;
+    private int minY;
+    private int maxX;
+    private int maxY;
+
+    ContourCells(SensorSize sensor) {
+        width = sensor.width() + 2 * MARGIN;
+        height = sensor.height() + 2 * MARGIN;
+        on = new short[width * height];
+        off = new short[width * height];
+        forgetBox();
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        return 2L * Short.BYTES * (sensor.width() + 2 * MARGIN) * (sensor.height() + 2 * MARGIN);
+    }
+
+    /** Column or row of the cell at a place in the frame, in px; negative where it lies far before the first. */
+    static int cell(double place) {
+        // the cast rounds towards zero, so that the first cell is as wide as two: it holds nothing
+        return (int) (place + (MARGIN + 0.5));
+    }
+
+    private void forgetBox() {
+        minX = width;
+        minY = height;
+        maxX = 0;
+        maxY = 0;
+    }
+
+    /** First column of the box; as the other sides the cell's own, never one at the grid's border. */
+    int minX() {
+        return minX;
+    }
+
+    int minY() {
+        return minY;
+    }
+
+    int maxX() {
+        return maxX;
+    }
+
+    int maxY() {
+        return maxY;
+    }
+
+    /** Whether no cell is occupied. */
+    boolean isEmpty() {
+        return minX > maxX;
+    }
+
+    /** Whether a cell lies in the box. */
+    boolean isInBox(int cx, int cy) {
+        return cx >= minX && cx <= maxX && cy >= minY && cy <= maxY;
+    }
+
+    boolean isOccupied(int cx, int cy) {
+        int c = cy * width + cx;
+        return (on[c] | off[c]) != 0;
+    }
+
+    /** Twice the counts of an event's own polarity around a cell, less those of the other; 0 beyond the box. */
+    int support(int cx, int cy, int polarity) {
+        if (!isInBox(cx, cy)) {
+            return 0;
+        }
+        int c = cy * width + cx;
+        short[] own = polarity > 0 ? on : off;
+        short[] other = polarity > 0 ? off : on;
+        return 2 * around(own, c) - around(other, c);
+    }
+
+    /** The box keeps one cell from the grid's border, so that the neighbours exist. */
+    private int around(short[] count, int c) {
+        int up = c - width;
+        int down = c + width;
+        return count[up - 1] + count[up] + count[up + 1] + count[c - 1] + count[c] + count[c + 1]
+            + count[down - 1] + count[down] + count[down + 1];
+    }
+
+    /** Adds to the count of the cell at a place in the frame, unless it lies at the border of the grid or beyond. */
+    void count(double x, double y, int polarity, int weight) {
+        int cx = cell(x);
+        int cy = cell(y);
+        if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1) {
+            return;
+        }
+        int c = cy * width + cx;
+        short[] counts = polarity > 0 ? on : off;
+        counts[c] = (short) Math.min(MOST, counts[c] + weight);
+        include(cx, cy);
+    }
+
+    private void include(int cx, int cy) {
+        if (cx <= minX) {
+            minX = Math.max(1, cx - 1);
+        }
+        if (cx >= maxX) {
+            maxX = Math.min(width - 2, cx + 1);
+        }
+        if (cy <= minY) {
+            minY = Math.max(1, cy - 1);
+        }
+        if (cy >= maxY) {
+            maxY = Math.min(height - 2, cy + 1);
+        }
+    }
+
+    /** Lets all counts fade so many times. */
+    void fade(int times) {
+        int fromX = minX;
+        int toX = maxX;
+        int fromY = minY;
+        int toY = maxY;
+        forgetBox();
+        for (int cy = fromY; cy <= toY; cy++) {
+            int from = cy * width + fromX;
+            int to = cy * width + toX;
+            for (int k = 0; k < times; k++) {
+                fade(on, from, to);
+                fade(off, from, to);
+            }
+            includeRow(cy, fromX, toX);
+        }
+    }
+
+    private static void fade(short[] count, int from, int to) {
+        for (int c = from; c <= to; c++) {
+            count[c] = (short) (count[c] - (count[c] + (1 << FADING_BITS) - 1 >> FADING_BITS));
+        }
+    }
+
+    private void includeRow(int cy, int fromX, int toX) {
+        int first = fromX;
+        while (first <= toX && !isOccupied(first, cy)) {
+            first++;
+        }
+        if (first > toX) {
+            return;
+        }
+        int last = toX;
+        while (!isOccupied(last, cy)) {
+            last--;
+        }
+        include(first, cy);
+        include(last, cy);
+    }
+
+    /** Takes over, into empty cells, the counts of others that many cells farther to the right and down. */
+    void takeShifted(ContourCells from, int dx, int dy) {
+        for (int cy = Math.max(1, from.minY - dy); cy <= Math.min(height - 2, from.maxY - dy); cy++) {
+            for (int cx = Math.max(1, from.minX - dx); cx <= Math.min(width - 2, from.maxX - dx); cx++) {
+                take(cx, cy, from, cx + dx, cy + dy);
+            }
+        }
+    }
+
+    /** The same of others that a frame has turned, scaled and shifted. */
+    void takeTurned(ContourCells from, Frame frame) {
+        double left = Double.MAX_VALUE;
+        double right = -Double.MAX_VALUE;
+        double top = Double.MAX_VALUE;
+        double bottom = -Double.MAX_VALUE;
+        for (int corner = 0; corner < 4; corner++) {
+            double x = ((corner & 1) == 0 ? from.minX : from.maxX) - MARGIN;
+            double y = ((corner & 2) == 0 ? from.minY : from.maxY) - MARGIN;
+            left = Math.min(left, frame.toReferenceX(x, y));
+            right = Math.max(right, frame.toReferenceX(x, y));
+            top = Math.min(top, frame.toReferenceY(x, y));
+            bottom = Math.max(bottom, frame.toReferenceY(x, y));
+        }
+        int toX = Math.min(width - 2, (int) Math.ceil(right) + MARGIN);
+        int toY = Math.min(height - 2, (int) Math.ceil(bottom) + MARGIN);
+        for (int cy = Math.max(1, (int) Math.floor(top) + MARGIN); cy <= toY; cy++) {
+            for (int cx = Math.max(1, (int) Math.floor(left) + MARGIN); cx <= toX; cx++) {
+                int fromX = (int) Math.rint(frame.fromReferenceX(cx - MARGIN, cy - MARGIN)) + MARGIN;
+                int fromY = (int) Math.rint(frame.fromReferenceY(cx - MARGIN, cy - MARGIN)) + MARGIN;
+                if (from.isInBox(fromX, fromY)) {
+                    take(cx, cy, from, fromX, fromY);
+                }
+            }
+        }
+    }
+
+    private void take(int cx, int cy, ContourCells from, int fromX, int fromY) {
+        int c = cy * width + cx;
+        int d = fromY * width + fromX;
+        on[c] = from.on[d];
+        off[c] = from.off[d];
+        if ((on[c] | off[c]) != 0) {
+            include(cx, cy);
+        }
+    }
+
+    /** Adds the counts of others. */
+    void absorb(ContourCells other) {
+        for (int cy = other.minY; cy <= other.maxY; cy++) {
+            for (int cx = other.minX; cx <= other.maxX; cx++) {
+                int c = cy * width + cx;
+                on[c] = (short) Math.min(MOST, on[c] + other.on[c]);
+                off[c] = (short) Math.min(MOST, off[c] + other.off[c]);
+            }
+        }
+        if (!other.isEmpty()) {
+            include(other.minX, other.minY);
+            include(other.maxX, other.maxY);
+        }
+    }
+
+    /** Empties all cells. */
+    void wipe() {
+        for (int cy = minY; cy <= maxY; cy++) {
+            Arrays.fill(on, cy * width + minX, cy * width + maxX + 1, (short) 0);
+            Arrays.fill(off, cy * width + minX, cy * width + maxX + 1, (short) 0);
+        }
+        forgetBox();
+    }
+}

@@ -1,0 +1,101 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import org.junit.Test;
+
+/** Counts by cell at their limits; what they mean for a contour is in {@link ContourTest}. */
+public class ContourCellsTest {
+    /** With 24 cells around it: 58 columns, 54 rows. */
+    private static final SensorSize SENSOR = new SensorSize(10, 6);
+
+    private final ContourCells cells = new ContourCells(SENSOR);
+
+    private int support(double x, double y, int polarity) {
+        return cells.support(ContourCells.cell(x), ContourCells.cell(y), polarity);
+    }
+
+    @Test
+    public void placeLiesOnTheNearestCell() {
+        assertEquals(24, ContourCells.cell(-0.5));
+        assertEquals(24, ContourCells.cell(0.49));
+        assertEquals(25, ContourCells.cell(0.5));
+        assertTrue(ContourCells.cell(-26) < 0);
+    }
+
+    @Test
+    public void placesAtTheBorderOfTheGridHoldNothing() {
+        double[][] places = {{-24, 3}, {33, 3}, {5, -24}, {5, 29}, {-1e9, 3}, {5, 1e9}};
+        for (double[] place : places) {
+            cells.count(place[0], place[1], 1, 32);
+            assertTrue(place[0] + ", " + place[1], cells.isEmpty());
+        }
+        cells.count(-23, -23, 1, 32);
+        cells.count(32, 28, 1, 32);
+        assertEquals(64, support(-23, -23, 1));
+        assertEquals(64, support(32, 28, 1));
+        assertEquals(1, cells.minX());
+        assertEquals(56, cells.maxX());
+        assertEquals(1, cells.minY());
+        assertEquals(52, cells.maxY());
+    }
+
+    @Test
+    public void countsStayAtTheMost() {
+        for (int i = 0; i < 3; i++) {
+            cells.count(5, 3, -1, 20_000);
+        }
+        assertEquals(2 * 32_767, support(5, 3, -1));
+        ContourCells others = new ContourCells(SENSOR);
+        others.count(5, 3, -1, 20_000);
+        cells.absorb(others);
+        assertEquals(2 * 32_767, support(5, 3, -1));
+    }
+
+    @Test
+    public void fadingRoundsUpSoThatNothingStaysForEver() {
+        cells.count(5, 3, 1, 2);
+        cells.fade(1);
+        assertEquals(2, support(5, 3, 1));
+        cells.fade(1);
+        assertTrue(cells.isEmpty());
+    }
+
+    @Test
+    public void whatIsShiftedOutOfTheGridIsLost() {
+        cells.count(0, 3, 1, 32);
+        cells.count(9, 3, -1, 16);
+        ContourCells shifted = new ContourCells(SENSOR);
+        // 24 columns to the left: the first lies at the border by then, the second at -15
+        shifted.takeShifted(cells, 24, 1);
+        assertEquals(32, shifted.support(ContourCells.cell(-15), ContourCells.cell(2), -1));
+        assertEquals(8, shifted.minX());
+        assertEquals(10, shifted.maxX());
+        assertFalse(shifted.isOccupied(0, ContourCells.cell(2)));
+    }
+
+    @Test
+    public void whatIsTurnedTakesTheNearestCell() {
+        // by a quarter about (5, 3): the cell at (8, 3) is at (5, 6) then
+        Motion turning = new Motion();
+        turning.set(0, 0, 0);
+        turning.centreX = 5;
+        turning.centreY = 3;
+        turning.omega = 0.5;
+        Frame frame = new Frame();
+        frame.anchor(turning, 3);
+        for (long timeUs = 0; timeUs <= 3_141_593; timeUs += 100_000) {
+            turning.moveReference(timeUs);
+            frame.follow(turning, 3);
+        }
+        cells.count(8, 3, 1, 32);
+        ContourCells turned = new ContourCells(SENSOR);
+        turned.takeTurned(cells, frame);
+        assertTrue(turned.isOccupied(ContourCells.cell(5), ContourCells.cell(6)));
+        assertFalse(turned.isOccupied(ContourCells.cell(8), ContourCells.cell(3)));
+    }
+}
