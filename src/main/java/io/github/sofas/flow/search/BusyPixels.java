@@ -20,7 +20,7 @@ public final class BusyPixels {
     private static final int COUNT_MASK = (1 << COUNT_BITS) - 1;
     /** The most events of a pixel in an interval. */
     static final int MOST = Math.min(COUNT_MASK,
-        (int) ((Short.MAX_VALUE - WAITING) / 2 / (8 + 3 * FlowPlane.TRAVEL_PX)));
+        (int) ((Short.MAX_VALUE - WAITING) / 2 / (8 + 3 * Projections.TRAVEL_PX)));
 
     private final int columns;
     /** For each pixel the number of the interval that it fired in last, and how often it did, in the low bits. */
@@ -40,7 +40,8 @@ public final class BusyPixels {
         columns = sensorWidth;
         fired = new int[sensorWidth * sensorHeight];
         // events are let go a little later than the travel says, at most an eighth
-        intervalUs = (long) (1.125 * Math.min(p.lifespanUs(), FlowPlane.TRAVEL_PX / p.slowestPxPerS() * 1e6)) + 10_000;
+        double windowUs = Math.min(p.lifespanUs(), Projections.TRAVEL_PX / p.slowestPxPerS() * 1e6);
+        intervalUs = (long) (1.125 * windowUs) + 10_000;
     }
 
     /** Whether the event's pixel has fired too often; such an event is not counted. */

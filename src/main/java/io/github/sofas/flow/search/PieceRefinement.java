@@ -55,31 +55,31 @@ final class PieceRefinement {
     /**
      * Begins with some of the flow plane's events.
      *
-     * @param events numbers of the events in order of time, from a place on
+     * @param numbers of the events, in order of time, from a place on
      * @param fromVx velocity to begin at, in px/s
      */
-    void begin(FlowPlane plane, int[] events, int from, int count, double fromVx, double fromVy) {
+    void begin(FlowPlaneEvents events, int[] numbers, int from, int count, double fromVx, double fromVy) {
         size = count;
-        long firstUs = plane.timeUs(events[from]);
-        long lastUs = plane.timeUs(events[from + size - 1]);
+        long firstUs = events.timeUs(numbers[from]);
+        long lastUs = events.timeUs(numbers[from + size - 1]);
         window = (lastUs - firstUs) * 1e-6;
         structure = false;
         if (window <= 0) {
             stage = Stage.OVER;
             return;
         }
-        load(plane, events, from, firstUs + (lastUs - firstUs) / 2);
+        load(events, numbers, from, firstUs + (lastUs - firstUs) / 2);
         stage = Stage.BEST;
         climbFrom(fromVx, fromVy);
     }
 
-    private void load(FlowPlane plane, int[] events, int from, long referenceUs) {
+    private void load(FlowPlaneEvents events, int[] numbers, int from, long referenceUs) {
         fit.clear();
         int want = Math.min(size, Math.min(fit.capacity(), SAMPLE_EVENTS));
         long stride = ((long) size << 16) / want;
         for (int a = 0; a < want; a++) {
-            int e = events[from + (int) (a * stride >> 16)];
-            fit.add(plane.x(e), plane.y(e), (plane.timeUs(e) - referenceUs) * 1e-6f, 0, 0, plane.sign(e));
+            int e = numbers[from + (int) (a * stride >> 16)];
+            fit.add(events.x(e), events.y(e), (events.timeUs(e) - referenceUs) * 1e-6f, 0, 0, events.sign(e));
         }
     }
 
@@ -169,7 +169,7 @@ final class PieceRefinement {
         // travel counts where it is seen: in the directions that would lose by standing still
         double loss = fit.lossXx() * vx * vx + 2 * fit.lossXy() * vx * vy + fit.lossYy() * vy * vy;
         double travelPx = Math.sqrt(Math.max(0, loss / fit.bestLoss())) * window;
-        return travelPx > 0.6 * FlowPlane.TRAVEL_PX && density() >= p.evidence();
+        return travelPx > 0.6 * Projections.TRAVEL_PX && density() >= p.evidence();
     }
 
     /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */

@@ -21,6 +21,7 @@ final class Pieces {
     private static final int PARTS = 128;
     private final FlowPlane plane;
     private final int n;
+    private final int columnBits;
     private final int[] label;
     private final int[] fill;
     private int filled;
@@ -34,14 +35,15 @@ final class Pieces {
     /** The most bytes that its arrays take: two marks a cell, and three numbers an event. */
     static long mostBytes(long cells) {
         // up to two counts a cell; arrays of events may have grown to twice what is held
-        return Integer.BYTES * (4 * cells + 3 * 2L * FlowPlane.MOST_HELD);
+        return Integer.BYTES * (4 * cells + 3 * 2L * FlowPlaneEvents.MOST_HELD);
     }
 
     Pieces(FlowPlane plane) {
         this.plane = plane;
-        n = plane.n();
-        label = new int[plane.cells()];
-        fill = new int[plane.cells()];
+        n = plane.projections().n();
+        columnBits = plane.projections().columnBits();
+        label = new int[plane.projections().cells()];
+        fill = new int[plane.projections().cells()];
     }
 
     /**
@@ -90,7 +92,7 @@ final class Pieces {
 
     /** Gives a cell and all occupied ones that are connected to it a label. */
     private void flood(short[] f, int c, int piece) {
-        int columns = (1 << plane.columnBits()) - 1;
+        int columns = (1 << columnBits) - 1;
         int rows = f.length / (columns + 1) - 1;
         int next = filled;
         fill[filled++] = c;
@@ -98,10 +100,10 @@ final class Pieces {
         while (next < filled) {
             int d = fill[next++];
             int x = d & columns;
-            int y = d >> plane.columnBits();
+            int y = d >> columnBits;
             for (int dy = -1; dy <= 1; dy++) {
                 for (int dx = -1; dx <= 1; dx++) {
-                    int e = (y + dy & rows) << plane.columnBits() | x + dx & columns;
+                    int e = (y + dy & rows) << columnBits | x + dx & columns;
                     if (label[e] == 0 && Math.abs(f[e]) >= LEAST_OCCUPIED) {
                         label[e] = piece;
                         fill[filled++] = e;
@@ -113,7 +115,7 @@ final class Pieces {
 
     /** Whether the cells from a place on fill a box that is longer than a part both ways: texture, not an outline. */
     private boolean isFilled(int c, int first) {
-        int columns = 1 << plane.columnBits();
+        int columns = 1 << columnBits;
         int rows = label.length / columns;
         int left = 0;
         int right = 0;
@@ -122,7 +124,7 @@ final class Pieces {
         for (int i = first; i < filled; i++) {
             // around the seed, for the accumulator is a torus
             int dx = Math.floorMod((fill[i] & columns - 1) - (c & columns - 1) + columns / 2, columns) - columns / 2;
-            int dy = (fill[i] >> plane.columnBits()) - (c >> plane.columnBits());
+            int dy = (fill[i] >> columnBits) - (c >> columnBits);
             dy = Math.floorMod(dy + rows / 2, rows) - rows / 2;
             left = Math.min(left, dx);
             right = Math.max(right, dx);
@@ -136,11 +138,11 @@ final class Pieces {
 
     /** Cuts a piece into parts; returns the number of the last one. */
     private int cut(int first, int piece) {
-        int columns = 1 << plane.columnBits();
+        int columns = 1 << columnBits;
         Arrays.fill(partOf, 0);
         int last = piece - 1;
         for (int i = first; i < filled; i++) {
-            int part = (fill[i] >> plane.columnBits()) / PART_CELLS * PARTS + (fill[i] & columns - 1) / PART_CELLS;
+            int part = (fill[i] >> columnBits) / PART_CELLS * PARTS + (fill[i] & columns - 1) / PART_CELLS;
             if (partOf[part] == 0) {
                 partOf[part] = ++last;
             }
@@ -181,7 +183,7 @@ final class Pieces {
         }
         for (int i = 0; i < held; i++) {
             int e = plane.oldest(ring) + i;
-            pieceOf[i] = plane.isTakenOut(e) ? 0 : label[plane.cell(k, e)];
+            pieceOf[i] = plane.events().isTakenOut(e) ? 0 : label[plane.cell(k, e)];
             starts[pieceOf[i]]++;
         }
         int end = 0;

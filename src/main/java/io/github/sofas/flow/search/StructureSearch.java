@@ -30,6 +30,8 @@ public final class StructureSearch {
     private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OUT }
 
     private final FlowPlane plane;
+    private final Projections projections;
+    private final FlowPlaneEvents events;
     private final int n;
     private final long[] refusedUntil;
     private final Pieces pieces;
@@ -58,7 +60,7 @@ public final class StructureSearch {
 
     /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
-        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(FlowPlane.cells(sensor));
+        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(Projections.cells(sensor));
     }
 
     /**
@@ -70,10 +72,12 @@ public final class StructureSearch {
                            long measuringVotes) {
         budget = new VoteBudget(measuringVotes);
         this.plane = plane;
+        projections = plane.projections();
+        events = plane.events();
         this.structures = structures;
         this.p = p;
         this.fit = fit;
-        n = plane.n();
+        n = projections.n();
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
@@ -128,7 +132,7 @@ public final class StructureSearch {
             votesBefore = fit.votes();
             count = pieces.find(best, p.thresholdSd());
             piece = 0;
-            budget.spend(plane.cells() / CHEAP_CELLS + plane.count(best / n) / CHEAP_VOTES);
+            budget.spend(projections.cells() / CHEAP_CELLS + plane.count(best / n) / CHEAP_VOTES);
             stage = Stage.CHOOSING;
         }
     }
@@ -145,12 +149,12 @@ public final class StructureSearch {
             if (held < p.minEvents()) {
                 continue;
             }
-            double least = Math.max(CHANCE_SIGMAS * held * Math.sqrt(2.0 / plane.cells()),
+            double least = Math.max(CHANCE_SIGMAS * held * Math.sqrt(2.0 / projections.cells()),
                 p.evidence() * p.minEvents());
             for (int k = i * n; k < i * n + n; k++) {
                 double gain = plane.metric(k) - held;
-                if (gain >= least && gain * plane.speed(i) > most && plane.total() >= refusedUntil[k]) {
-                    most = gain * plane.speed(i);
+                if (gain >= least && gain * projections.speed(i) > most && plane.total() >= refusedUntil[k]) {
+                    most = gain * projections.speed(i);
                     best = k;
                 }
             }
@@ -166,7 +170,8 @@ public final class StructureSearch {
             size = pieces.start(piece + 1) - from;
             letGo();
             if (size >= p.minEvents() && isNews()) {
-                refinement.begin(plane, pieces.events(), from, size, plane.vx(projection), plane.vy(projection));
+                refinement.begin(events, pieces.events(), from, size, projections.vx(projection),
+                    projections.vy(projection));
                 stage = Stage.REFINING;
                 return;
             }
@@ -176,7 +181,7 @@ public final class StructureSearch {
 
     /** Forgets events of the piece that the flow plane has let go in the meantime. */
     private void letGo() {
-        while (size > 0 && !plane.holds(pieces.events()[from])) {
+        while (size > 0 && !events.holds(pieces.events()[from])) {
             from++;
             size--;
         }
@@ -199,7 +204,7 @@ public final class StructureSearch {
     private boolean isNews() {
         int old = 0;
         for (int a = from; a < from + size; a++) {
-            if (plane.wasRefused(projection / n, pieces.events()[a])) {
+            if (events.wasRefused(projection / n, pieces.events()[a])) {
                 old++;
             }
         }
@@ -228,21 +233,22 @@ public final class StructureSearch {
 
     private void refuse() {
         for (int a = from; a < from + size; a++) {
-            plane.refuse(projection / n, pieces.events()[a]);
+            events.refuse(projection / n, pieces.events()[a]);
         }
     }
 
     private void track() {
         int last = pieces.events()[from + size - 1];
-        Structures.Structure structure = structures.create(plane.timeUs(last), refinement.vx(), refinement.vy());
+        Structures.Structure structure = structures.create(events.timeUs(last), refinement.vx(), refinement.vy());
         takenSize = 0;
         for (int a = from; a < from + size; a++) {
             hand(pieces.events()[a], structure);
         }
-        structure.begin(plane.timeUs(last));
+        structure.begin(events.timeUs(last));
         // those that came while it was refined, and would be a structure of their own, unless another has them
-        for (int e = last + 1; e != plane.head(); e++) {
-            if (!plane.isTakenOut(e) && structure.expects(plane.x(e), plane.y(e), plane.timeUs(e), plane.sign(e))) {
+        for (int e = last + 1; e != events.head(); e++) {
+            if (!events.isTakenOut(e) && structure.expects(events.x(e), events.y(e), events.timeUs(e),
+                    events.sign(e))) {
                 hand(e, structure);
             }
         }
@@ -250,7 +256,7 @@ public final class StructureSearch {
     }
 
     private void hand(int event, Structures.Structure structure) {
-        structure.addPast(plane.x(event), plane.y(event), plane.timeUs(event), plane.sign(event));
+        structure.addPast(events.x(event), events.y(event), events.timeUs(event), events.sign(event));
         if (takenSize == taken.length) {
             taken = Arrays.copyOf(taken, 2 * takenSize);
         }

@@ -52,7 +52,7 @@ public class BusyPixelsTest {
     @Test
     public void noCellOverflowsHoweverOftenPixelsSideBySideFire() {
         // the worst case: every pixel that a cell can meet fires as often as it may in two intervals
-        int pixels = 4 + 2 * (int) Math.ceil(2 + Math.sqrt(2) * FlowPlane.TRAVEL_PX);
+        int pixels = 4 + 2 * (int) Math.ceil(2 + Math.sqrt(2) * Projections.TRAVEL_PX);
         assertTrue(2 * BusyPixels.MOST * pixels + 2048 <= Short.MAX_VALUE);
     }
 
@@ -72,7 +72,7 @@ public class BusyPixelsTest {
                 plane.settle(timeUs);
             }
         }
-        for (int k = 0; k < plane.n() * plane.n(); k++) {
+        for (int k = 0; k < plane.projections().n() * plane.projections().n(); k++) {
             long squares = 0;
             for (short f : plane.accumulator(k)) {
                 assertTrue("cell of projection " + k, f >= 0);

@@ -73,7 +73,8 @@ public class FlowPlaneTest {
 
         /** The time in which a ring travels its pixels. */
         private long windowUs(int ring) {
-            return (long) Math.min(p.search().lifespanUs(), FlowPlane.TRAVEL_PX / fast.speed(ring) * 1e6);
+            double speed = fast.projections().speed(ring);
+            return (long) Math.min(p.search().lifespanUs(), Projections.TRAVEL_PX / speed * 1e6);
         }
 
         /** Numbers of the events that were not older than the window when the ring settled last. */
@@ -89,14 +90,14 @@ public class FlowPlaneTest {
 
         /** Cell of 2 x 2 px, of time in ticks of a power of two µs that travel 1/512 to 1/256 px. */
         private Cell cell(int k, Event e) {
-            double pxPerUs = fast.speed(k / p.search().flowProjections()) / 1e6;
+            double pxPerUs = fast.projections().speed(k / p.search().flowProjections()) / 1e6;
             int bits = 0;
             while ((2L << bits) * pxPerUs <= 1.0 / 256) {
                 bits++;
             }
             long ticks = e.timeUs() - events.get(0).timeUs() >> bits;
-            return new Cell(halved(e.x(), fast.vx(k) * (1L << bits), ticks),
-                halved(e.y(), fast.vy(k) * (1L << bits), ticks));
+            return new Cell(halved(e.x(), fast.projections().vx(k) * (1L << bits), ticks),
+                halved(e.y(), fast.projections().vy(k) * (1L << bits), ticks));
         }
 
         private static long halved(int px, double microPxPerTick, long ticks) {
@@ -199,14 +200,14 @@ public class FlowPlaneTest {
         SofasParameters p = P.with("flowProjections", 5).with("slowestPxPerS", 4).with("fastestPxPerS", 1024);
         FlowPlane plane = new FlowPlane(32, 24, p.search());
         for (int ring = 0; ring < 5; ring++) {
-            assertEquals(4 * Math.pow(4, ring), plane.speed(ring), 1e-9);
+            assertEquals(4 * Math.pow(4, ring), plane.projections().speed(ring), 1e-9);
         }
-        assertEquals(4, plane.vx(0), 0.004);
-        assertEquals(0, plane.vy(0), 0.004);
-        assertEquals(16 * Math.cos(Math.toRadians(36)), plane.vx(5), 0.004);
-        assertEquals(16 * Math.sin(Math.toRadians(36)), plane.vy(5), 0.004);
-        assertEquals(1024 * Math.cos(Math.toRadians(72)), plane.vx(21), 0.004);
-        assertEquals(1024 * Math.sin(Math.toRadians(72)), plane.vy(21), 0.004);
+        assertEquals(4, plane.projections().vx(0), 0.004);
+        assertEquals(0, plane.projections().vy(0), 0.004);
+        assertEquals(16 * Math.cos(Math.toRadians(36)), plane.projections().vx(5), 0.004);
+        assertEquals(16 * Math.sin(Math.toRadians(36)), plane.projections().vy(5), 0.004);
+        assertEquals(1024 * Math.cos(Math.toRadians(72)), plane.projections().vx(21), 0.004);
+        assertEquals(1024 * Math.sin(Math.toRadians(72)), plane.projections().vy(21), 0.004);
     }
 
     @Test
@@ -265,6 +266,6 @@ public class FlowPlaneTest {
         plane.add(5, 5, 1L << 50, 1);
         plane.settle((1L << 50) + 100_000);
         assertEquals(1, plane.metric(0));
-        assertEquals(2 << plane.columnBits() | 2, plane.cell(0, 0));
+        assertEquals(2 << plane.projections().columnBits() | 2, plane.cell(0, 0));
     }
 }

@@ -31,7 +31,7 @@ public class PieceRefinementTest {
             numbers[i] = i;
         }
         PieceRefinement refinement = new PieceRefinement(fit, p.search());
-        refinement.begin(plane, numbers, 0, numbers.length, fromVx, fromVy);
+        refinement.begin(plane.events(), numbers, 0, numbers.length, fromVx, fromVy);
         while (!refinement.isOver()) {
             refinement.step();
         }

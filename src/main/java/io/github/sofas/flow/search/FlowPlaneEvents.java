@@ -1,0 +1,131 @@
+package io.github.sofas.flow.search;
+
+/**
+ * The events that the flow plane holds, by number in the order in which they came, with a mark for each ring of
+ * projections that an event was taken out of or looked at in vain in. A ring of arrays that grow with what is held.
+ */
+final class FlowPlaneEvents {
+    /** Events that its arrays have room for at most. */
+    static final int MOST_HELD = 1 << 20;
+    private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES;
+
+    // by number, modulo the capacity
+    private long[] timeUs = new long[1 << 14];
+    private short[] x = new short[1 << 14];
+    private short[] y = new short[1 << 14];
+    private byte[] sign = new byte[1 << 14];
+    /** Rings that the event was taken out of, a bit each. */
+    private int[] takenOut = new int[1 << 14];
+    /** Rings in which the event was looked at in vain, a bit each. */
+    private int[] refused = new int[1 << 14];
+    private int mask = timeUs.length - 1;
+    private int head;
+    private int first;
+
+    /** The most bytes that its arrays take. */
+    static long mostBytes() {
+        return (long) EVENT_BYTES * MOST_HELD;
+    }
+
+    /** Adds an event; no more than {@link #MOST_HELD} may be held. */
+    void add(int eventX, int eventY, long eventUs, int polarity) {
+        if (head - first > mask) {
+            grow();
+        }
+        int i = head++ & mask;
+        timeUs[i] = eventUs;
+        x[i] = (short) eventX;
+        y[i] = (short) eventY;
+        sign[i] = (byte) polarity;
+        takenOut[i] = 0;
+        refused[i] = 0;
+    }
+
+    private void grow() {
+        int capacity = 2 * timeUs.length;
+        long[] newUs = new long[capacity];
+        short[] newX = new short[capacity];
+        short[] newY = new short[capacity];
+        byte[] newSign = new byte[capacity];
+        int[] newTakenOut = new int[capacity];
+        int[] newRefused = new int[capacity];
+        for (int i = first; i != head; i++) {
+            int from = i & mask;
+            int to = i & capacity - 1;
+            newUs[to] = timeUs[from];
+            newX[to] = x[from];
+            newY[to] = y[from];
+            newSign[to] = sign[from];
+            newTakenOut[to] = takenOut[from];
+            newRefused[to] = refused[from];
+        }
+        timeUs = newUs;
+        x = newX;
+        y = newY;
+        sign = newSign;
+        takenOut = newTakenOut;
+        refused = newRefused;
+        mask = capacity - 1;
+    }
+
+    /** Number after the newest event. */
+    int head() {
+        return head;
+    }
+
+    /** Lets all events before a number go. */
+    void letGo(int before) {
+        first = before;
+    }
+
+    /** Whether an event that came is held yet. */
+    boolean holds(int event) {
+        return event - first >= 0;
+    }
+
+    int x(int event) {
+        return x[event & mask];
+    }
+
+    int y(int event) {
+        return y[event & mask];
+    }
+
+    long timeUs(int event) {
+        return timeUs[event & mask];
+    }
+
+    /** +1 or -1. */
+    int sign(int event) {
+        return sign[event & mask];
+    }
+
+    /** Notes that an event was taken out of a ring. */
+    void takeOut(int ring, int event) {
+        takenOut[event & mask] |= 1 << ring;
+    }
+
+    boolean isTakenOut(int ring, int event) {
+        return (takenOut[event & mask] >> ring & 1) != 0;
+    }
+
+    /** Whether the event was taken out of any ring. */
+    boolean isTakenOut(int event) {
+        return takenOut[event & mask] != 0;
+    }
+
+    /** Notes that an event was looked at in vain, in a ring. */
+    void refuse(int ring, int event) {
+        refused[event & mask] |= 1 << ring;
+    }
+
+    boolean wasRefused(int ring, int event) {
+        return (refused[event & mask] >> ring & 1) != 0;
+    }
+
+    /** Forgets all events, and begins to number them anew. */
+    void clear() {
+        head = 0;
+        first = 0;
+    }
+}
