@@ -15,8 +15,8 @@ final class BilinearAccumulator {
     /** Positions are in sixteenths of a cell. */
     private static final int SUB = 16;
     private static final int SUB_BITS = 4;
-    /** Cells around the events, for their shifts; twice the greatest distance of projections and a step. */
-    private static final int BORDER = 20;
+    /** Most cells around the events, for their shifts; twice the greatest distance of projections and a step. */
+    private static final int MOST_BORDER = 20;
     /** Shifts are worked out in parts of a position of 2^-this. */
     private static final int PART_BITS = 21;
     private static final int HALF = 1 << PART_BITS - 1;
@@ -39,7 +39,12 @@ final class BilinearAccumulator {
     private final int width;
     private final int height;
     private final int[] f;
-    // the part of it that is used: where it lies, and its size
+    // box of the events
+    private int lowX;
+    private int lowY;
+    private int highX;
+    private int highY;
+    // the part of the grid that is used: where it lies, and its size
     private int originX;
     private int originY;
     private int columns;
@@ -66,7 +71,7 @@ final class BilinearAccumulator {
     }
 
     private static int side(int sensorSide, double cellPx) {
-        return (int) (sensorSide / cellPx) + 3 + 2 * BORDER;
+        return (int) (sensorSide / cellPx) + 3 + 2 * MOST_BORDER;
     }
 
     /** Cells of the grid. */
@@ -101,22 +106,35 @@ final class BilinearAccumulator {
         vote[i] = (byte) polarity;
     }
 
-    /** Lays the grid around the events, so that it is as small as they allow and stays in the cache. */
+    /** Finds the box of the events, which the grid is laid around. */
     void lay() {
-        int lowX = Integer.MAX_VALUE;
-        int lowY = Integer.MAX_VALUE;
-        int highX = Integer.MIN_VALUE;
-        int highY = Integer.MIN_VALUE;
+        lowX = Integer.MAX_VALUE;
+        lowY = Integer.MAX_VALUE;
+        highX = Integer.MIN_VALUE;
+        highY = Integer.MIN_VALUE;
         for (int i = 0; i < size; i++) {
             lowX = Math.min(lowX, placeX[i]);
             highX = Math.max(highX, placeX[i]);
             lowY = Math.min(lowY, placeY[i]);
             highY = Math.max(highY, placeY[i]);
         }
-        originX = (lowX & -SUB) - BORDER * SUB;
-        originY = (lowY & -SUB) - BORDER * SUB;
-        columns = Math.min(width, (highX - lowX) / SUB + 3 + 2 * BORDER);
-        rows = Math.min(height, (highY - lowY) / SUB + 3 + 2 * BORDER);
+    }
+
+    /**
+     * Lays the grid around the events with as much room as their shifts need: a small grid is emptied soon, and stays
+     * in the first-level cache.
+     */
+    private void layWith(int borderX, int borderY) {
+        originX = (lowX & -SUB) - borderX * SUB;
+        originY = (lowY & -SUB) - borderY * SUB;
+        columns = Math.min(width, (highX - lowX) / SUB + 3 + 2 * borderX);
+        rows = Math.min(height, (highY - lowY) / SUB + 3 + 2 * borderY);
+    }
+
+    /** Cells that hold the shifts by so many parts of a profile, and half a cell. */
+    private static int border(ShiftProfile along, int parts) {
+        long positions = Math.abs((long) parts) * along.most() + HALF >> PART_BITS;
+        return (int) Math.min(MOST_BORDER, positions / SUB + 2);
     }
 
     /**
@@ -126,6 +144,7 @@ final class BilinearAccumulator {
     double metric(ShiftProfile alongX, double sx, ShiftProfile alongY, double sy) {
         int partsX = parts(alongX, sx);
         int partsY = parts(alongY, sy);
+        layWith(border(alongX, partsX), border(alongY, partsY));
         double one = metric(alongX.shift, partsX, alongY.shift, partsY, 0);
         return size > mostOnBoth ? one : (one + metric(alongX.shift, partsX, alongY.shift, partsY, SUB / 2)) / 2;
     }

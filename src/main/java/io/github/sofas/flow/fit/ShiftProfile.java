@@ -13,6 +13,7 @@ final class ShiftProfile {
 
     final int[] shift;
     private double unit;
+    private int mostShift;
 
     ShiftProfile(int capacity) {
         shift = new int[capacity];
@@ -21,6 +22,11 @@ final class ShiftProfile {
     /** What a shift of 1 stands for. */
     double unit() {
         return unit;
+    }
+
+    /** Greatest of the shifts, rounded up. */
+    int most() {
+        return mostShift;
     }
 
     /** Takes over the shifts of the first events. */
@@ -35,6 +41,7 @@ final class ShiftProfile {
         int exponent = Math.getExponent(most) + 1 - BITS;
         unit = most >= LEAST ? Math.scalb(1.0, exponent) : 0;
         float scale = most >= LEAST ? Math.scalb(1f, -exponent) : 0;
+        mostShift = (int) Math.ceil(most * scale);
         for (int i = 0; i < size; i++) {
             // the cast rounds towards zero, so the argument is kept positive
             shift[i] = (int) (values[i] * scale + ((1 << BITS) + 0.5f)) - (1 << BITS);
