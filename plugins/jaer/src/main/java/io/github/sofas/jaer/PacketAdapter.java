@@ -16,8 +16,10 @@ import net.sf.jaer.event.PolarityEvent;
  * sensor left out. Arrays grow to the largest packet and are used again.
  */
 final class PacketAdapter {
-    /** A step back by more than this is no disorder but a clock set to zero. */
-    private static final int CLOCK_WAS_SET_US = 1_000_000;
+    /** A step back by more than this is no disorder but a clock set to zero, or a loop of a recording. */
+    private static final int DISORDER_US = 10_000;
+    /** How many of the events that follow say whether it is: half of them must go on from it. */
+    private static final int WITNESSES = 8;
     /** Time that passes for the engine when a clock was set: no event lives so long. */
     private static final long FORGOTTEN_US = 120_000_000;
 
@@ -42,6 +44,9 @@ final class PacketAdapter {
                 }
             }
         }
+        for (int i = 0; i < batch.size(); i++) {
+            batch.timeUs[i] = unwrap(i);
+        }
     }
 
     private void add(PolarityEvent event, int y) {
@@ -50,20 +55,40 @@ final class PacketAdapter {
             grow();
         }
         events[n] = event;
-        batch.add(unwrap(event.timestamp), event.x, y, event.polarity == PolarityEvent.Polarity.On ? 1 : -1);
+        batch.add(event.timestamp, event.x, y, event.polarity == PolarityEvent.Polarity.On ? 1 : -1);
     }
 
-    private long unwrap(int timestamp) {
+    /** Time of an event for the engine. */
+    private long unwrap(int i) {
+        int timestamp = events[i].timestamp;
         if (!started) {
             started = true;
             timeUs = timestamp;
         } else {
             // the difference is right across the wrap from 2^31 - 1 to -2^31
             int step = timestamp - lastTimestamp;
-            timeUs += step < -CLOCK_WAS_SET_US ? FORGOTTEN_US : step;
+            if (step < -DISORDER_US) {
+                if (!othersGoOnFrom(i)) {
+                    return timeUs + step;
+                }
+                timeUs += FORGOTTEN_US;
+            } else {
+                timeUs += step;
+            }
         }
         lastTimestamp = timestamp;
         return timeUs;
+    }
+
+    /** Whether the events behind one that steps back lie nearer to it than to the one before. */
+    private boolean othersGoOnFrom(int i) {
+        int asked = Math.min(WITNESSES, batch.size() - 1 - i);
+        int goOn = 0;
+        for (int k = i + 1; k <= i + asked; k++) {
+            int timestamp = events[k].timestamp;
+            goOn += Math.abs(timestamp - events[i].timestamp) < Math.abs(timestamp - lastTimestamp) ? 1 : 0;
+        }
+        return 2 * goOn >= asked;
     }
 
     private void grow() {

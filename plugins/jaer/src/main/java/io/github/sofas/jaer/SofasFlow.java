@@ -41,6 +41,7 @@ public class SofasFlow extends GeneratedProperties {
     private final PacketAdapter adapter = new PacketAdapter();
     private final FlowDrawing drawing = new FlowDrawing();
     private final Counters counters = new Counters();
+    private final ReaderWatch watch = new ReaderWatch();
     private volatile Sofas sofas;
 
     private FlowDrawing.Colouring eventColours;
@@ -93,6 +94,10 @@ public class SofasFlow extends GeneratedProperties {
     @SuppressWarnings("rawtypes")
     public synchronized EventPacket filterPacket(EventPacket in) {
         maybeAddListeners(chip);
+        watch.follow(chip);
+        if (watch.takeMoved()) {
+            resetFilter();
+        }
         if (in == null || !isReady()) {
             return in;
         }

@@ -93,6 +93,23 @@ public class PacketAdapterTest {
     }
 
     @Test
+    public void loopOfHalfASecondIsALongTime() {
+        assertEquals(List.of("1000000", "121000000", "121000010"), times(1_000_000, 500_000, 500_010));
+    }
+
+    @Test
+    public void loopAtTheEndOfAPacketIsALongTime() {
+        times(1_000_000);
+        assertEquals(List.of("121000000"), times(500_000));
+        assertEquals(List.of("121000010"), times(500_010));
+    }
+
+    @Test
+    public void oneEventFarOutOfOrderDoesNotMoveTheOthers() {
+        assertEquals(List.of("1000000", "500000", "1000010"), times(1_000_000, 500_000, 1_000_010));
+    }
+
+    @Test
     public void timeIsTakenAsItIsAfterAReset() {
         times(5_000_000);
         adapter.reset();
