@@ -130,9 +130,19 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
 
     /** Takes over all values of a preset. */
     public void setPreset(Preset preset) {
-        if (preset == null || preset == getPreset()) {
-            return;
+        if (preset != null && preset != getPreset()) {
+            takeOver(preset);
         }
+    }
+
+    /** Button: brings all values of the preset back. */
+    @Override
+    public void doSetDefaults() {
+        super.doSetDefaults();
+        takeOver(getPreset());
+    }
+
+    private void takeOver(Preset preset) {
         SofasParameters before = values.parameters();
         values.setPreset(preset);
         SofasParameters after = values.parameters();

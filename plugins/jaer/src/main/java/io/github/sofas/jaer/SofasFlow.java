@@ -86,6 +86,7 @@ public class SofasFlow extends GeneratedProperties {
             + " speeds outwards (PAPER: angles along x and y); default on");
         setPropertyTooltip(DRAWING, "legendShown", "counts and what the colours mean; default on");
         setPropertyTooltip("reset", "forgets all events and segments");
+        setPropertyTooltip("setDefaults", "brings all values of the preset back, and what is shown at first");
         setPropertyTooltip("copyStatistics", "puts what PrintStatistics logs of this filter into the clipboard");
         setPropertyTooltip("writeCsv", "writes the flow of the last packet and the living segments to two CSV files");
     }
@@ -101,12 +102,13 @@ public class SofasFlow extends GeneratedProperties {
         if (in == null || !isReady()) {
             return in;
         }
+        // starts jAER's clock of processing
+        setupFilter(in);
         long start = System.nanoTime();
         adapter.read((EventPacket<?>) in, sofas.sensor());
         long read = System.nanoTime();
         sofas.process(adapter.batch(), adapter.output());
         long labelled = System.nanoTime();
-        setupFilter(in);
         emit((EventPacket<?>) in);
         getMotionFlowStatistics().updatePacket(countIn, countOut, ts);
         counters.add(adapter.batch(), adapter.output(), read - start, labelled - read);
@@ -226,6 +228,15 @@ public class SofasFlow extends GeneratedProperties {
         if (sofas != null) {
             drawing.draw(drawable.getGL().getGL2(), sofas, adapter, this);
         }
+    }
+
+    @Override
+    public void doSetDefaults() {
+        super.doSetDefaults();
+        // the family's defaults are for flow of single events
+        setDisplayVectorsEnabled(false);
+        setDisplayGlobalMotion(false);
+        setSpeedControlEnabled(false);
     }
 
     /** Button: forgets all. */

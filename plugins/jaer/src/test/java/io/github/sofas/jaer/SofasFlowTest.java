@@ -119,6 +119,15 @@ public class SofasFlowTest {
     }
 
     @Test
+    public void jaersClockOfProcessingStartsBeforeTheEngine() {
+        SofasFlow filter = filter();
+        List<Integer> seen = new ArrayList<>();
+        filter.clockStarted = () -> seen.add(filter.lastBatch().size());
+        filter.filterPacket(Packets.of(FILM.get(0)));
+        assertEquals(List.of(0), seen);
+    }
+
+    @Test
     public void rawEventsOrFlowEventsGoOn() {
         SofasFlow filter = filter();
         EventPacket<?> packet = Packets.of(FILM.get(0));
@@ -334,6 +343,24 @@ public class SofasFlowTest {
         assertEquals(200_000, told.get("lifespanUs"));
         assertEquals(0.2f, told.get("minShare"));
         assertFalse(told.containsKey("minEvents"));
+    }
+
+    @Test
+    public void oneButtonBringsThePresetsValuesBack() {
+        SofasFlow filter = filter();
+        filter.setPreset(Preset.PAPER);
+        filter.setConstantEvents(200);
+        filter.setMinShare(0.15f);
+        Map<String, Object> told = new HashMap<>();
+        filter.getSupport().addPropertyChangeListener(change -> told.put(change.getPropertyName(),
+            change.getNewValue()));
+        filter.doSetDefaults();
+        assertEquals(SofasParameters.paper(), filter.parameters());
+        assertEquals(SofasParameters.paper(), new SofasFlow(chip).parameters());
+        assertEquals(0.2f, told.get("minShare"));
+        // nor does it switch on what is off at first
+        assertFalse(filter.displayVectorsEnabled);
+        assertFalse(filter.displayGlobalMotion);
     }
 
     @Test

@@ -38,6 +38,7 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public boolean displayVectorsEnabled = true;
     public boolean displayGlobalMotion = true;
     public int resets;
+    public Runnable clockStarted = () -> { };
     private final MotionFlowStatistics statistics = new MotionFlowStatistics();
 
     public class ImuFlowEstimator {
@@ -81,6 +82,8 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
 
     @SuppressWarnings("rawtypes")
     public synchronized void setupFilter(EventPacket in) {
+        // jAER's clock of processing starts here
+        clockStarted.run();
         countIn = 0;
         countOut = 0;
     }
@@ -107,7 +110,8 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     }
 
     public void doSetDefaults() {
-        
+        setDisplayVectorsEnabled(true);
+        setDisplayGlobalMotion(true);
     }
 
     public MotionFlowStatistics getMotionFlowStatistics() {
