@@ -8,14 +8,16 @@ import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * One of jAER's motion-flow filters, as jAER has it with its default settings, run in jAER on the same packets. A batch
@@ -24,6 +26,8 @@ import java.util.concurrent.TimeUnit;
  */
 public final class JaerFilter implements EventLabeller, AutoCloseable {
     private static final int READY = 0x50fa5;
+    /** jAER starts in 3 s, on a machine that does other things in 20. */
+    private static final Duration LONGEST_START = Duration.ofSeconds(90);
     private static final String STARTER = "io.github.sofas.jaer.StartFilter";
 
     private final Process process;
@@ -50,6 +54,11 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
      */
     public static JaerFilter start(Path plugin, Path folder, Path java, Display display, String filterClass,
                                    SensorSize sensor) throws JaerException {
+        return start(plugin, folder, java, display, filterClass, sensor, LONGEST_START);
+    }
+
+    static JaerFilter start(Path plugin, Path folder, Path java, Display display, String filterClass,
+                            SensorSize sensor, Duration longest) throws JaerException {
         try {
             Path log = Files.createTempFile("sofas-jaer", ".log");
             ProcessBuilder builder = new ProcessBuilder(java.toString(), "-cp", plugin.toString(), STARTER,
@@ -57,7 +66,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
                 Integer.toString(sensor.height())).redirectError(log.toFile());
             builder.environment().put("DISPLAY", display.name());
             JaerFilter filter = new JaerFilter(builder.start(), log);
-            filter.awaitReady(filterClass);
+            filter.awaitReady(filterClass, longest);
             return filter;
         } catch (JaerException e) {
             throw e;
@@ -66,17 +75,37 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         }
     }
 
-    private void awaitReady(String filterClass) throws IOException {
-        try {
-            if (in.readInt() == READY) {
-                return;
+    private void awaitReady(String filterClass, Duration longest) throws IOException {
+        // a read from a process cannot be given up, but ends with the process
+        AtomicBoolean answered = new AtomicBoolean();
+        CompletableFuture.delayedExecutor(longest.toMillis(), TimeUnit.MILLISECONDS).execute(() -> {
+            if (answered.compareAndSet(false, true)) {
+                destroy();
             }
-        } catch (EOFException e) {
-            // the process ended; its last words follow
+        });
+        boolean ready = false;
+        try {
+            ready = in.readInt() == READY;
+        } catch (IOException e) {
+            // the process ended, or was ended; its last words follow
+        }
+        boolean late = !answered.compareAndSet(false, true);
+        if (ready && !late) {
+            return;
         }
         String words = lastWords();
         close();
+        if (late) {
+            throw new JaerException(filterClass + " was not ready in jAER within " + longest.toSeconds() + " s"
+                + (words.isEmpty() ? "" : "; jAER said last: " + words));
+        }
         throw new JaerException(words.isEmpty() ? "jAER ended before " + filterClass + " was ready" : words);
+    }
+
+    /** With jAER itself, which the starter runs. */
+    private void destroy() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
     }
 
     /** What a process that ended said last: its exception, else its last line. */
@@ -156,7 +185,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        process.destroy();
+        destroy();
         try {
             Files.deleteIfExists(log);
         } catch (IOException e) {

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
@@ -23,6 +24,10 @@ public class JaerFilterTest {
     public final TemporaryFolder folder = new TemporaryFolder();
 
     private JaerFilter start(String script) throws IOException {
+        return start(script, Duration.ofSeconds(60));
+    }
+
+    private JaerFilter start(String script, Duration longest) throws IOException {
         if (!Files.isExecutable(Path.of("/bin/sh"))) {
             throw Skipped.because("there is no /bin/sh");
         }
@@ -30,7 +35,7 @@ public class JaerFilterTest {
         Files.writeString(java, "#!/bin/sh\n" + script + "\n");
         assertTrue(java.toFile().setExecutable(true));
         return JaerFilter.start(Path.of("sofas-jAER.jar"), folder.getRoot().toPath(), java, Display.open(":0"),
-            "a.Filter", new SensorSize(4, 3));
+            "a.Filter", new SensorSize(4, 3), longest);
     }
 
     @Test
@@ -68,6 +73,20 @@ public class JaerFilterTest {
     public void saysSoWhereJaerEndsWithoutAWord() {
         assertEquals("jAER ended before a.Filter was ready",
             assertThrows(JaerException.class, () -> start("exit 3")).getMessage());
+    }
+
+    /** What the script starts keeps its output open, as jAER does for the starter. */
+    @Test
+    public void givesUpWhereJaerSaysNothing() {
+        assertEquals("a.Filter was not ready in jAER within 1 s", assertThrows(JaerException.class,
+            () -> start("sleep 600; exit 3", Duration.ofSeconds(1))).getMessage());
+    }
+
+    @Test
+    public void saysWhatJaerSaidBeforeItFellSilent() {
+        assertEquals("a.Filter was not ready in jAER within 1 s; jAER said last: Exception in thread \"main\" x",
+            assertThrows(JaerException.class, () -> start("echo 'Exception in thread \"main\" x' >&2; sleep 600",
+                Duration.ofSeconds(1))).getMessage());
     }
 
     @Test

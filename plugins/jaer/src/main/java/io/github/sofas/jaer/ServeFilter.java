@@ -34,10 +34,18 @@ public final class ServeFilter {
     private ServeFilter() {
     }
 
-    /** Serves until told to end. */
-    public static void main(String[] arguments) throws Exception {
-        serve(arguments[0], Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
-        System.exit(0);
+    /** Serves until told to end; ends with 1 and a stack trace where it cannot. */
+    public static void main(String[] arguments) {
+        int code = 1;
+        try {
+            serve(arguments[0], Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
+            code = 0;
+        } catch (Throwable e) {
+            // errors of classes and of the display too: a thread of jAER would keep this process alive without it
+            e.printStackTrace();
+        }
+        // not exit, whose hooks of jAER may wait for a display
+        Runtime.getRuntime().halt(code);
     }
 
     private static void serve(String filterClass, int width, int height) throws Exception {
