@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * {@code JAER_FOLDER FILTER WIDTH HEIGHT}: starts {@link ServeFilter} with the jAER in a folder, on the standard input
@@ -28,14 +29,11 @@ public final class StartFilter {
     private static int start(Path folder, List<String> arguments) throws IOException, InterruptedException {
         JaerFolder jaer = JaerFolder.of(folder);
         Path scratch = Files.createTempDirectory("sofas-compare");
+        AtomicReference<Process> process = StartJaer.endedWithThis(scratch);
         // neither the user's settings nor the traces of other viewers
         List<String> options = List.of("-Djava.util.prefs.userRoot=" + scratch, "-Djava.io.tmpdir=" + scratch);
         List<String> command = new ArrayList<>(jaer.command(scratch, options, "io.github.sofas.jaer.ServeFilter"));
         command.addAll(arguments);
-        try {
-            return StartJaer.run(command, scratch);
-        } finally {
-            StartJaer.delete(scratch);
-        }
+        return StartJaer.run(command, scratch, process);
     }
 }

@@ -3,34 +3,54 @@ package io.github.sofas.jaer;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 
-/** {@code java -jar sofas-jAER.jar DIR [RECORDING]}: starts the jAER in a folder, with the filter in its list. */
+/**
+ * {@code java -jar sofas-jAER.jar [OPTION]... DIR [RECORDING]}: starts the jAER in a folder, with the filter in its
+ * list; the options are for jAER's Java.
+ */
 public final class StartJaer {
-    private static final String USAGE = "usage: java -jar sofas-jAER.jar JAER_FOLDER [RECORDING]\n"
-        + "Starts the jAER in a folder, with SOFAS among its filters.";
+    private static final String USAGE = "usage: java -jar sofas-jAER.jar [JAVA_OPTION]... JAER_FOLDER [RECORDING]\n"
+        + "Starts the jAER in a folder, with SOFAS among its filters. Options as -Xmx4g and -Dname=value go to its"
+        + " Java.";
+    /** Lets jAER 3 hand samples of the inertial sensor to its flow filters, which take true motion from them. */
+    private static final String INERTIAL_SAMPLES = "-Djaer.legacyExtractBundle=";
+
+    /** jAER asks no one when it is told to end. */
+    private static final int LONGEST_END_S = 5;
 
     private StartJaer() {
     }
 
     /** Ends with jAER's exit code, 1 where jAER cannot be started, 2 on wrong usage. */
     public static void main(String[] arguments) throws InterruptedException {
-        if (arguments.length < 1 || arguments.length > 2 || arguments[0].startsWith("-")) {
+        int options = 0;
+        while (options < arguments.length && arguments[options].startsWith("-")) {
+            options++;
+        }
+        int rest = arguments.length - options;
+        if (rest < 1 || rest > 2) {
             System.err.println(USAGE);
             System.exit(2);
         }
+        List<String> all = Arrays.asList(arguments);
         try {
-            System.exit(start(Path.of(arguments[0]), Arrays.asList(arguments).subList(1, arguments.length)));
+            System.exit(start(all.subList(0, options), Path.of(arguments[options]),
+                all.subList(options + 1, arguments.length)));
         } catch (IOException e) {
             System.err.println(e.getMessage());
             System.exit(1);
         }
     }
 
-    private static int start(Path folder, List<String> recordings) throws IOException, InterruptedException {
+    private static int start(List<String> options, Path folder, List<String> recordings)
+            throws IOException, InterruptedException {
         JaerFolder jaer = JaerFolder.of(folder);
         for (String recording : recordings) {
             if (!Files.isReadable(Path.of(recording))) {
@@ -38,25 +58,58 @@ public final class StartJaer {
             }
         }
         Path overlay = Files.createTempDirectory("sofas-jaer");
+        AtomicReference<Process> process = endedWithThis(overlay);
+        List<String> command = jaer.command(overlay, withInertialSamples(options), "net.sf.jaer.JAERViewer");
+        // jAER runs in its own folder
+        recordings.forEach(recording -> command.add(Path.of(recording).toAbsolutePath().toString()));
+        return run(command, jaer.folder(), process);
+    }
+
+    /** What the user says goes before what is best. */
+    private static List<String> withInertialSamples(List<String> options) {
+        List<String> all = new ArrayList<>(options);
+        if (options.stream().noneMatch(option -> option.startsWith(INERTIAL_SAMPLES))) {
+            all.add(INERTIAL_SAMPLES + true);
+        }
+        return all;
+    }
+
+    /**
+     * Takes a folder along when this process ends, also by a signal, and before it the process that uses it.
+     *
+     * @return where that process is put
+     */
+    static AtomicReference<Process> endedWithThis(Path scratch) {
+        AtomicReference<Process> process = new AtomicReference<>();
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> end(process.get(), scratch)));
+        return process;
+    }
+
+    /** Runs a command with input and output of this process; its exit code. */
+    static int run(List<String> command, Path in, AtomicReference<Process> process)
+            throws IOException, InterruptedException {
+        process.set(new ProcessBuilder(command).directory(in.toFile()).inheritIO().start());
+        return process.get().waitFor();
+    }
+
+    private static void end(Process process, Path scratch) {
         try {
-            List<String> command = jaer.command(overlay, List.of(), "net.sf.jaer.JAERViewer");
-            // jAER runs in its own folder
-            recordings.forEach(recording -> command.add(Path.of(recording).toAbsolutePath().toString()));
-            return run(command, jaer.folder());
-        } finally {
-            delete(overlay);
+            if (process != null) {
+                process.destroy();
+                if (!process.waitFor(LONGEST_END_S, TimeUnit.SECONDS)) {
+                    process.destroyForcibly();
+                }
+            }
+            delete(scratch);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (IOException e) {
+            System.err.println("[" + scratch + "] stays behind: " + e.getMessage());
         }
     }
 
-    /** Runs a command with input and output of this process, which takes it along when it ends; its exit code. */
-    static int run(List<String> command, Path in) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(command).directory(in.toFile()).inheritIO().start();
-        Runtime.getRuntime().addShutdownHook(new Thread(process::destroy));
-        return process.waitFor();
-    }
-
     /** Deletes a folder with all that is in it. */
-    static void delete(Path folder) throws IOException {
+    private static void delete(Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.deleteIfExists(file);
