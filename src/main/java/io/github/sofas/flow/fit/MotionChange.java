@@ -92,17 +92,17 @@ public final class MotionChange {
         double newOmega = 0;
         double newGrowth = 0;
         if (p.rotation()) {
-            fit.fitRotation(perPx * CHANGE_PX);
-            omega = taken(omega, turned + fit.step(), perPx);
-            turns = shown(shareOf(fit.loss(), most));
+            Parabola fitted = fit.fitRotation(perPx * CHANGE_PX);
+            omega = taken(omega, turned + fitted.step(), perPx);
+            turns = shown(shareOf(fitted.loss(), most));
             newOmega = believed(omega, perPx, BEND_PX) * turns;
-            loss.turn = fit.loss();
+            loss.turn = fitted.loss();
         }
         if (p.growth()) {
-            fit.fitGrowth(perPx * CHANGE_PX);
-            growth = taken(growth, grown + fit.step(), perPx);
-            newGrowth = believed(growth, perPx, BEND_PX) * shown(shareOf(fit.loss(), most));
-            loss.grow = fit.loss();
+            Parabola fitted = fit.fitGrowth(perPx * CHANGE_PX);
+            growth = taken(growth, grown + fitted.step(), perPx);
+            newGrowth = believed(growth, perPx, BEND_PX) * shown(shareOf(fitted.loss(), most));
+            loss.grow = fitted.loss();
         }
         double shows = fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown);
         evidence += EVIDENCE_GAIN * (shows - evidence);
@@ -111,8 +111,8 @@ public final class MotionChange {
         motion.growth = sure * newGrowth;
         if (p.rotation() && p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
-            fit.fitSpin(perPxOfSpin * CHANGE_PX);
-            alpha = taken(alpha, motion.alpha + fit.step(), perPxOfSpin);
+            double step = fit.fitSpin(perPxOfSpin * CHANGE_PX).step();
+            alpha = taken(alpha, motion.alpha + step, perPxOfSpin);
             motion.alpha = believed(alpha, perPxOfSpin, SPIN_PX) * turns * sure;
         }
     }
@@ -120,13 +120,13 @@ public final class MotionChange {
     private void measureAcceleration(MetricFit fit, Motion motion, MotionLoss loss, double half) {
         double axisX = loss.axisX;
         double axisY = loss.axisY;
-        double flatness = fit.flatness();
+        double flatness = loss.flatness();
         double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
         double h = perPx * CHANGE_PX;
-        fit.fitAcceleration(axisX, axisY, h);
-        along = taken(along, motion.ax * axisX + motion.ay * axisY + fit.step(), perPx);
-        fit.fitAcceleration(-axisY, axisX, h);
-        across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + fit.step() - across);
+        double stepAlong = fit.fitAcceleration(axisX, axisY, h).step();
+        along = taken(along, motion.ax * axisX + motion.ay * axisY + stepAlong, perPx);
+        double stepAcross = fit.fitAcceleration(-axisY, axisX, h).step();
+        across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + stepAcross - across);
         // along a straight edge nothing is known, of acceleration still less than of velocity
         double shown = shown(flatness);
         shownAcross = across * shown;

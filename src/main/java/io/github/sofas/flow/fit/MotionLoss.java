@@ -33,18 +33,26 @@ public final class MotionLoss {
     }
 
     /** Takes over what a fit found of the velocity. */
-    public void take(MetricFit fit) {
-        metric = fit.metric();
-        xx = fit.lossXx();
-        xy = fit.lossXy();
-        yy = fit.lossYy();
-        axisX = fit.axisX();
-        axisY = fit.axisY();
+    public void take(VelocityTop top) {
+        metric = top.metric();
+        xx = top.lossXx();
+        xy = top.lossXy();
+        yy = top.lossYy();
+        axisX = top.axisX();
+        axisY = top.axisY();
     }
 
     /** Loss per (px/s)² along the better known of the sensor's axes. */
     public double best() {
         return Math.max(xx, yy);
+    }
+
+    /** What is known across the best direction, as a share of what is known along it: 0 for a straight edge. */
+    double flatness() {
+        double mean = (xx + yy) / 2;
+        double dif = (xx - yy) / 2;
+        double root = Math.sqrt(dif * dif + xy * xy);
+        return (mean - root) / Math.max(mean + root, Double.MIN_NORMAL);
     }
 
     /** Loss by a velocity, a rotation and a growth that differ by these. */

@@ -2,6 +2,7 @@ package io.github.sofas.flow.search;
 
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.fit.VelocityTop;
 
 /**
  * The velocity of a piece of the flow plane: from its projection's, fit by fit, to the top of the metric, the paper's
@@ -120,60 +121,57 @@ final class PieceRefinement {
             stage = Stage.OVER;
             return;
         }
-        if (fits == 0) {
-            fit.fit(vx, vy, MetricFit.FLAT_SIGMAS);
-        } else {
-            fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
-        }
-        vx += fit.stepX();
-        vy += fit.stepY();
+        VelocityTop top = fits == 0 ? fit.fit(vx, vy, MetricFit.FLAT_SIGMAS)
+            : fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
+        vx += top.stepX();
+        vy += top.stepY();
         fits++;
-        if (stage == Stage.BEST && fits <= HOPELESS.length && density() < HOPELESS[fits - 1] * p.evidence()) {
+        if (stage == Stage.BEST && fits <= HOPELESS.length && density(top) < HOPELESS[fits - 1] * p.evidence()) {
             stage = Stage.OVER;
-        } else if (fits == MOST_FITS || fits >= 3 && fit.steps() < 0.3) {
-            arrive();
+        } else if (fits == MOST_FITS || fits >= 3 && top.steps() < 0.3) {
+            arrive(top);
         } else {
-            fit.frame(fit.metric(), fit.lossXx(), fit.lossXy(), fit.lossYy(), MetricFit.NEIGHBOUR_LOSS,
+            fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), MetricFit.NEIGHBOUR_LOSS,
                 MetricFit.MIN_STEP_PX * px(), MetricFit.MAX_STEP_PX * px());
         }
     }
 
-    private void arrive() {
+    private void arrive(VelocityTop top) {
         if (stage == Stage.SLOWEST) {
             stage = Stage.OVER;
-            if (fit.metric() < (1 - SLOWEST_WITHIN) * bestMetric
+            if (top.metric() < (1 - SLOWEST_WITHIN) * bestMetric
                     || vx * vx + vy * vy > bestX * bestX + bestY * bestY) {
                 vx = bestX;
                 vy = bestY;
             } else {
-                structure = isEvident();
+                structure = isEvident(top);
             }
             return;
         }
         stage = Stage.OVER;
-        structure = isEvident();
-        double across = vx * fit.axisX() + vy * fit.axisY();
-        double along = vy * fit.axisX() - vx * fit.axisY();
+        structure = isEvident(top);
+        double across = vx * top.axisX() + vy * top.axisY();
+        double along = vy * top.axisX() - vx * top.axisY();
         if (structure && Math.abs(along) > 0.1 * Math.abs(across)) {
             // the slowest of what is about as good: without the velocity along the edge
             stage = Stage.SLOWEST;
             bestX = vx;
             bestY = vy;
-            bestMetric = fit.metric();
-            climbFrom(across * fit.axisX(), across * fit.axisY());
+            bestMetric = top.metric();
+            climbFrom(across * top.axisX(), across * top.axisY());
         }
     }
 
     /** Whether what was fitted last has travelled enough, and meets itself enough. */
-    private boolean isEvident() {
+    private boolean isEvident(VelocityTop top) {
         // travel counts where it is seen: in the directions that would lose by standing still
-        double loss = fit.lossXx() * vx * vx + 2 * fit.lossXy() * vx * vy + fit.lossYy() * vy * vy;
-        double travelPx = Math.sqrt(Math.max(0, loss / fit.bestLoss())) * window;
-        return travelPx > 0.6 * Projections.TRAVEL_PX && density() >= p.evidence();
+        double loss = top.lossXx() * vx * vx + 2 * top.lossXy() * vx * vy + top.lossYy() * vy * vy;
+        double travelPx = Math.sqrt(Math.max(0, loss / top.bestLoss())) * window;
+        return travelPx > 0.6 * Projections.TRAVEL_PX && density(top) >= p.evidence();
     }
 
     /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */
-    private double density() {
-        return fit.metric() / fit.size() * size / fit.size();
+    private double density(VelocityTop top) {
+        return top.metric() / fit.size() * size / fit.size();
     }
 }

@@ -4,6 +4,7 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.fit.MotionChange;
 import io.github.sofas.flow.fit.MotionLoss;
+import io.github.sofas.flow.fit.VelocityTop;
 import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
@@ -196,16 +197,13 @@ final class Measurement {
                 MetricFit.MAX_STEP_PX * px);
             fit.widen(widen);
         }
-        if (count < LEAST_FULL || count % FULL_EVERY == 0) {
-            fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
-        } else {
-            fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
-        }
+        VelocityTop top = count < LEAST_FULL || count % FULL_EVERY == 0 ? fit.fit(0, 0, MetricFit.FLAT_SIGMAS)
+            : fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
         // in a thinned sample events meet by so much less
-        density = fit.metric() / fit.size() * live.size() / fit.size();
-        loss.take(fit);
-        widen = fit.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
-        double moved = step(motion, fit, px, crossing) / px;
+        density = top.metric() / fit.size() * live.size() / fit.size();
+        loss.take(top);
+        widen = top.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
+        double moved = step(motion, top, px, crossing) / px;
         if (crossing > MAX_SHARED) {
             change.hold(motion);
         } else if (count >= 2 && moved < 1) {
@@ -233,9 +231,9 @@ final class Measurement {
      *
      * @return its length in px/s
      */
-    private double step(Motion motion, MetricFit fit, double px, double crossing) {
-        double stepX = fit.stepX();
-        double stepY = fit.stepY();
+    private double step(Motion motion, VelocityTop top, double px, double crossing) {
+        double stepX = top.stepX();
+        double stepY = top.stepY();
         if (count > 0) {
             double stiff = STIFFNESS * (1 + 10 * crossing) * loss.metric / (px * px);
             double xx = loss.xx + stiff;
@@ -248,7 +246,7 @@ final class Measurement {
         }
         motion.vx += stepX;
         motion.vy += stepY;
-        if (fit.isFlat()) {
+        if (top.isFlat()) {
             double along = (motion.vy * loss.axisX - motion.vx * loss.axisY) * FLAT_DECAY;
             motion.vx += along * loss.axisY;
             motion.vy -= along * loss.axisX;

@@ -25,8 +25,7 @@ public class MetricFitTest {
         }
         // nine projections with no distance between them
         fit.frame(0);
-        fit.fit(vx, vy, 0);
-        return fit.metric();
+        return fit.fit(vx, vy, 0).metric();
     }
 
     private static double plain(List<Vote> votes, double cellPx, double vx, double vy) {
@@ -154,9 +153,9 @@ public class MetricFitTest {
         double vx = 10;
         double vy = -4;
         for (int c = 0; c < 5; c++) {
-            fit.fit(vx, vy, 2);
-            vx += fit.stepX();
-            vy += fit.stepY();
+            VelocityTop top = fit.fit(vx, vy, 2);
+            vx += top.stepX();
+            vy += top.stepY();
         }
         assertEquals(12, vx, 0.1);
         assertEquals(-5, vy, 0.1);
@@ -179,16 +178,16 @@ public class MetricFitTest {
         }
         double h = 0.4;
         fit.frame(h);
-        fit.fitCross(0, 0, 0);
+        VelocityTop top = fit.fitCross(0, 0, 0);
         double here = fast(votes, 1.3, 0, 0);
         double left = fast(votes, 1.3, -h, 0);
         double right = fast(votes, 1.3, h, 0);
         double up = fast(votes, 1.3, 0, -h);
         double down = fast(votes, 1.3, 0, h);
-        assertEquals(h * (right - left) / 2 / (2 * here - left - right), fit.stepX(), 1e-9);
-        assertEquals(h * (down - up) / 2 / (2 * here - up - down), fit.stepY(), 1e-9);
-        assertEquals((2 * here - left - right) / 2 / (h * h), fit.lossXx(), 1e-6);
-        assertEquals(right, fit.metric(), 0);
+        assertEquals(h * (right - left) / 2 / (2 * here - left - right), top.stepX(), 1e-9);
+        assertEquals(h * (down - up) / 2 / (2 * here - up - down), top.stepY(), 1e-9);
+        assertEquals((2 * here - left - right) / 2 / (h * h), top.lossXx(), 1e-6);
+        assertEquals(right, top.metric(), 0);
     }
 
     @Test
@@ -201,12 +200,12 @@ public class MetricFitTest {
             fit.add(16 + 3 * tau, 12 - 2 * tau, tau, 0, 0, 1);
         }
         fit.frame(1);
-        fit.fitCross(3, -2, 0);
-        assertEquals(0, fit.stepX(), 0.05);
-        assertEquals(0, fit.stepY(), 0.05);
-        fit.fitCross(3.2, -2, 0);
-        assertEquals(-0.2, fit.stepX(), 0.1);
-        assertEquals(0, fit.stepY(), 0.05);
+        VelocityTop top = fit.fitCross(3, -2, 0);
+        assertEquals(0, top.stepX(), 0.05);
+        assertEquals(0, top.stepY(), 0.05);
+        top = fit.fitCross(3.2, -2, 0);
+        assertEquals(-0.2, top.stepX(), 0.1);
+        assertEquals(0, top.stepY(), 0.05);
     }
 
     @Test
@@ -225,20 +224,16 @@ public class MetricFitTest {
         }
     }
 
-    private static void assertNothingIsKnown(MetricFit fit) {
-        assertEquals(0, fit.metric(), 0);
-        assertEquals(0, fit.stepX(), 0);
-        assertEquals(0, fit.stepY(), 0);
-        assertEquals(0, fit.lossXx(), 0);
-        assertEquals(0, fit.lossYy(), 0);
-        fit.fitAcceleration(1, 0, 1);
-        assertEquals(0, fit.step(), 0);
-        fit.fitRotation(1);
-        assertEquals(0, fit.step(), 0);
-        fit.fitGrowth(1);
-        assertEquals(0, fit.step(), 0);
-        fit.fitSpin(1);
-        assertEquals(0, fit.step(), 0);
+    private static void assertNothingIsKnown(MetricFit fit, VelocityTop top) {
+        assertEquals(0, top.metric(), 0);
+        assertEquals(0, top.stepX(), 0);
+        assertEquals(0, top.stepY(), 0);
+        assertEquals(0, top.lossXx(), 0);
+        assertEquals(0, top.lossYy(), 0);
+        assertEquals(0, fit.fitAcceleration(1, 0, 1).step(), 0);
+        assertEquals(0, fit.fitRotation(1).step(), 0);
+        assertEquals(0, fit.fitGrowth(1).step(), 0);
+        assertEquals(0, fit.fitSpin(1).step(), 0);
     }
 
     @Test
@@ -247,10 +242,8 @@ public class MetricFitTest {
         fit.add(4, 4, -1, 0, 0, 1);
         fit.add(24, 18, 1, 0, 0, 1);
         fit.frame(1);
-        fit.fit(0, 0, 2);
-        assertNothingIsKnown(fit);
-        fit.fitCross(0, 0, 2);
-        assertNothingIsKnown(fit);
+        assertNothingIsKnown(fit, fit.fit(0, 0, 2));
+        assertNothingIsKnown(fit, fit.fitCross(0, 0, 2));
     }
 
     @Test
@@ -260,14 +253,12 @@ public class MetricFitTest {
         fit.add(4, 4, 0.5f, 1, 1, 1);
         fit.add(4, 4, 0.5f, 1, 1, -1);
         fit.frame(1);
-        fit.fitCross(0, 0, 2);
-        assertEquals(0, fit.metric(), 0);
-        fit.fitAcceleration(1, 0, 1);
-        assertTrue(Double.isFinite(fit.step()));
-        fit.frame(fit.metric(), 1, 0, 1, 0.04, 0.5, 4);
-        fit.fitCross(0, 0, 2);
-        assertTrue(Double.isFinite(fit.stepX()));
-        assertTrue(Double.isFinite(fit.stepY()));
+        assertEquals(0, fit.fitCross(0, 0, 2).metric(), 0);
+        assertTrue(Double.isFinite(fit.fitAcceleration(1, 0, 1).step()));
+        fit.frame(0, 1, 0, 1, 0.04, 0.5, 4);
+        VelocityTop top = fit.fitCross(0, 0, 2);
+        assertTrue(Double.isFinite(top.stepX()));
+        assertTrue(Double.isFinite(top.stepY()));
     }
 
     /** Dots in one or more boxes beside the centre of rotation, seen twelve times in two seconds each. */
@@ -301,32 +292,24 @@ public class MetricFitTest {
     public void eachChangeIsSteppedToByItself() {
         // 0.04 per s shift the ends of the window by 0.8 px at 20 px; neighbours are twice as far
         MetricFit turns = changing(0.04, 0, 0);
-        turns.fitRotation(0.08);
-        assertEquals(0.04, turns.step(), 0.01);
-        turns.fitGrowth(0.08);
-        assertEquals(0, turns.step(), 0.01);
+        assertEquals(0.04, turns.fitRotation(0.08).step(), 0.01);
+        assertEquals(0, turns.fitGrowth(0.08).step(), 0.01);
         MetricFit grows = changing(0, 0, -0.04);
-        grows.fitGrowth(0.08);
-        assertEquals(-0.04, grows.step(), 0.01);
-        grows.fitRotation(0.08);
-        assertEquals(0, grows.step(), 0.01);
+        assertEquals(-0.04, grows.fitGrowth(0.08).step(), 0.01);
+        assertEquals(0, grows.fitRotation(0.08).step(), 0.01);
         // half of 0.08 per s², from a second before to a second after
         MetricFit spins = changing(0, 0.08, 0);
-        spins.fitSpin(0.16);
-        assertEquals(0.08, spins.step(), 0.02);
-        spins.fitRotation(0.08);
-        assertEquals(0, spins.step(), 0.01);
+        assertEquals(0.08, spins.fitSpin(0.16).step(), 0.02);
+        assertEquals(0, spins.fitRotation(0.08).step(), 0.01);
     }
 
     @Test
     public void whatIsOnOnePlaceKnowsNoGrowthAndNoRotation() {
         MetricFit point = dots(new double[][] {{0, 0, 0, 0}}, new double[][] {{0, 0}}, 0, 0, 0);
-        point.fitGrowth(0.1);
-        assertEquals(0, point.step(), 0);
-        assertEquals(0, point.loss(), 0);
-        point.fitSpin(0.1);
-        assertEquals(0, point.step(), 0);
-        assertEquals(0, point.loss(), 0);
+        assertEquals(0, point.fitGrowth(0.1).step(), 0);
+        assertEquals(0, point.fitGrowth(0.1).loss(), 0);
+        assertEquals(0, point.fitSpin(0.1).step(), 0);
+        assertEquals(0, point.fitSpin(0.1).loss(), 0);
     }
 
     @Test

@@ -55,8 +55,7 @@ public class MotionChangeTest {
                 }
             }
             fit.frame(1 / HALF_S);
-            fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
-            loss.take(fit);
+            loss.take(fit.fit(0, 0, MetricFit.FLAT_SIGMAS));
             change.measure(fit, motion, loss, HALF_S, RADIUS_PX, p.track());
         }
         return motion;

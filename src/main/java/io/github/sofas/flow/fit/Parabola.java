@@ -1,0 +1,44 @@
+package io.github.sofas.flow.fit;
+
+/** The metric along one parameter of the motion, as a parabola through three values shows it; fit by fit anew. */
+final class Parabola {
+    private double step;
+    private double loss;
+
+    /**
+     * Lays it through the metric here and at two neighbours.
+     *
+     * @param h distance of the neighbours, in the unit of the parameter
+     * @param floor curvature, of neighbours at a distance of 1, that a top must pass
+     */
+    Parabola through(double less, double here, double more, double h, double floor) {
+        double curvature = less + more - 2 * here;
+        step = stepTo(curvature, (more - less) / 2, floor) * h;
+        loss = -Math.min(curvature, 0) / 2 / (h * h);
+        return this;
+    }
+
+    /** Step to the top, in the unit of the parameter. */
+    double step() {
+        return step;
+    }
+
+    /** Loss of metric per unit squared of the parameter; 0 where nothing is known of it. */
+    double loss() {
+        return loss;
+    }
+
+    /** Curvature that so many standard deviations of a metric make; where votes only cancel, there are none. */
+    static double floor(double metric, double sigmas) {
+        return -2 * sigmas * Math.sqrt(Math.max(0, metric));
+    }
+
+    /** Step to the top, in distances of neighbours. */
+    static double stepTo(double curvature, double gradient, double floor) {
+        if (curvature >= floor) {
+            // not a top, or no events that meet: uphill only where the slope is clear
+            return Math.abs(gradient) > -floor ? Math.signum(gradient) : 0;
+        }
+        return Math.max(-1.5, Math.min(1.5, -gradient / curvature));
+    }
+}

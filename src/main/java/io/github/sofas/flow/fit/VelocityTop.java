@@ -1,0 +1,124 @@
+package io.github.sofas.flow.fit;
+
+/**
+ * The top of the metric over velocities, as a quadratic through projections around one shows it: the step to it, and
+ * how much metric other velocities would lose, which is what is known of the velocity. Fit by fit anew.
+ */
+public final class VelocityTop {
+    private double metric;
+    private double lossXx;
+    private double lossXy;
+    private double lossYy;
+    private double axisX;
+    private double axisY;
+    private double stepX;
+    private double stepY;
+    private double steps;
+    private boolean flat;
+
+    /**
+     * Finds it.
+     *
+     * @param greatest of the metrics that the quadratic goes through
+     * @param ga gradient, as the Hessian in units of the frame
+     * @param sigmas a direction takes no step that loses less metric at its neighbours than this many standard
+     *     deviations of the metric, which counts about as many meetings
+     */
+    VelocityTop of(ProjectionFrame frame, double greatest, double ga, double gb, double haa, double hbb, double hab,
+                   double sigmas) {
+        metric = greatest;
+        // eigenvectors of the Hessian in the frame; a step along each that is curved enough
+        double mean = (haa + hbb) / 2;
+        double dif = (haa - hbb) / 2;
+        double root = Math.sqrt(dif * dif + hab * hab);
+        double angle = 0.5 * StrictMath.atan2(-2 * hab, hbb - haa);
+        double ca = StrictMath.cos(angle);
+        double sa = StrictMath.sin(angle);
+        double floor = Parabola.floor(metric, sigmas);
+        double s1 = Parabola.stepTo(mean - root, ga * ca + gb * sa, floor);
+        double s2 = Parabola.stepTo(mean + root, gb * ca - ga * sa, floor);
+        double a = s1 * ca - s2 * sa;
+        double b = s1 * sa + s2 * ca;
+        steps = Math.sqrt(s1 * s1 + s2 * s2);
+        // the direction that is known less took no step, and had no slope to take one
+        flat = s2 == 0;
+        stepX = frame.vx(0, a, b);
+        stepY = frame.vy(0, a, b);
+        // only curvature that falls away is knowledge
+        double c1 = -Math.min(mean - root, 0) / 2;
+        double c2 = -Math.min(mean + root, 0) / 2;
+        know(frame, c1 * ca * ca + c2 * sa * sa, (c1 - c2) * sa * ca, c1 * sa * sa + c2 * ca * ca);
+        return this;
+    }
+
+    /** Turns what is known along the axes of the frame to those of the sensor. */
+    private void know(ProjectionFrame frame, double aa, double ab, double bb) {
+        double x = frame.directionX();
+        double y = frame.directionY();
+        double laa = aa / (frame.h1() * frame.h1());
+        double lbb = bb / (frame.h2() * frame.h2());
+        double lab = ab / (frame.h1() * frame.h2());
+        lossXx = laa * x * x - 2 * lab * x * y + lbb * y * y;
+        lossYy = laa * y * y + 2 * lab * x * y + lbb * x * x;
+        lossXy = (laa - lbb) * x * y + lab * (x * x - y * y);
+        double best = 0.5 * StrictMath.atan2(2 * lossXy, lossXx - lossYy);
+        axisX = StrictMath.cos(best);
+        axisY = StrictMath.sin(best);
+    }
+
+    /** Greatest of the metrics fitted, in votes squared; 0 where all are less. */
+    public double metric() {
+        return metric;
+    }
+
+    /** Loss of metric per (px/s)², an entry of a symmetric matrix: what is known of the velocity. */
+    public double lossXx() {
+        return lossXx;
+    }
+
+    /** The same, of both axes. */
+    public double lossXy() {
+        return lossXy;
+    }
+
+    /** The same, along y. */
+    public double lossYy() {
+        return lossYy;
+    }
+
+    /** Loss of metric per (px/s)² along the best known direction. */
+    public double bestLoss() {
+        double dif = (lossXx - lossYy) / 2;
+        return (lossXx + lossYy) / 2 + Math.sqrt(dif * dif + lossXy * lossXy);
+    }
+
+    /** Direction in which the velocity is known best, x of a unit vector. */
+    public double axisX() {
+        return axisX;
+    }
+
+    /** The same, y. */
+    public double axisY() {
+        return axisY;
+    }
+
+    /** Step to the top in px/s. */
+    public double stepX() {
+        return stepX;
+    }
+
+    /** The same, downwards. */
+    public double stepY() {
+        return stepY;
+    }
+
+    /** Length of the step in distances of projections. */
+    public double steps() {
+        return steps;
+    }
+
+    /** Whether the metric leaves open the velocity across the best known direction. */
+    public boolean isFlat() {
+        return flat;
+    }
+}
