@@ -28,15 +28,12 @@ public class MetricFitBenchmark {
     private static final double SPACING_PX_PER_S = 8;
 
     private MetricFit fit;
-    private double sigmas;
 
     /** Loads the events of a hexagon on its way. */
     @Setup
     public void load() throws Exception {
         FilmedEvents events = new FilmedEvents("hexagon");
-        SofasParameters p = SofasParameters.defaults();
-        sigmas = p.flatSigmas();
-        fit = new MetricFit(events.sensor.width(), events.sensor.height(), p.voteCellPx(), EVENTS, 1900);
+        fit = new MetricFit(events.sensor.width(), events.sensor.height(), MetricFit.CELL_PX, EVENTS, 1900);
         EventBatch batch = events.next();
         long referenceUs = batch.timeUs[EVENTS / 2];
         for (int i = 0; i < EVENTS; i++) {
@@ -51,7 +48,6 @@ public class MetricFitBenchmark {
     @OperationsPerInvocation(EVENTS)
     public double fit() {
         fit.frame(SPACING_PX_PER_S);
-        fit.fit(SPEED_PX_PER_S, 0, sigmas);
-        return fit.stepX();
+        return fit.fit(SPEED_PX_PER_S, 0, MetricFit.FLAT_SIGMAS).stepX();
     }
 }
