@@ -30,7 +30,7 @@ public class FlowPlaneBenchmark {
     @Setup
     public void film() throws Exception {
         events = new FilmedEvents("hexagon");
-        plane = new FlowPlane(events.sensor.width(), events.sensor.height(), SofasParameters.defaults());
+        plane = new FlowPlane(events.sensor.width(), events.sensor.height(), SofasParameters.defaults().search());
     }
 
     /** Adds one batch, and settles it block by block. */

@@ -2,6 +2,7 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.paper.FlowPlane;
+import io.github.sofas.flow.paper.Numbers;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -30,7 +31,8 @@ public class PaperFlowPlaneBenchmark {
     @Setup
     public void film() throws Exception {
         events = new FilmedEvents("noise");
-        plane = new FlowPlane(events.sensor.width(), events.sensor.height(), SofasParameters.paper());
+        plane = new FlowPlane(events.sensor.width(), events.sensor.height(),
+            Numbers.of(SofasParameters.paper()));
     }
 
     /** Adds one batch. */
