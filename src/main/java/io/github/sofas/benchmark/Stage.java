@@ -46,7 +46,7 @@ public enum Stage {
             } else if (type.startsWith(ROOT + "export.")) {
                 return OUTPUT;
             } else if (type.startsWith(ROOT + "flow.")) {
-                if (type.contains("FlowPlane") || type.endsWith("LoneEvents") || type.endsWith("StructureSearch")) {
+                if (type.startsWith(ROOT + "flow.search.") || type.contains("FlowPlane")) {
                     return FLOW_PLANE;
                 } else if (frame.getMethodName().startsWith("recentre")) {
                     stage = RE_CENTRING;

@@ -24,7 +24,7 @@ public class StageTest {
     @Test
     public void whatServesSeveralStagesCountsForItsCaller() {
         assertEquals(Stage.RE_CENTRING, of("flow.fit.MetricFit.metric", "flow.track.TrackPlane.measure",
-            "flow.track.TrackPlane.recentre", "flow.track.TrackPlaneStack.take", "flow.RefinedMethod.label"));
+            "flow.track.TrackPlane.recentre", "flow.track.TrackPlaneStack.label", "flow.RefinedMethod.label"));
         assertEquals(Stage.FLOW_PLANE, of("flow.fit.MetricFit.metric", "flow.search.StructureSearch.refine",
             "flow.RefinedMethod.label"));
         assertEquals(Stage.OUTPUT, of("java.io.FileOutputStream.write", "export.FlowCsvWriter.write",
@@ -39,7 +39,7 @@ public class StageTest {
 
     @Test
     public void whatATrackPlaneDoesWithoutMeasuringIsMatching() {
-        assertEquals(Stage.MATCHING, of("flow.track.Contour.support", "flow.track.TrackPlaneStack.match",
+        assertEquals(Stage.MATCHING, of("flow.track.Contour.support", "flow.track.TrackPlaneStack.label",
             "flow.Sofas.process"));
         assertEquals(Stage.MATCHING, of("flow.paper.TrackPlane.offer", "flow.PaperMethod.label"));
         assertEquals(Stage.MATCHING, of("flow.Sofas.process", "benchmark.Benchmark.run"));
