@@ -1,7 +1,6 @@
 package io.github.sofas.export;
 
 import io.github.sofas.event.EventBatch;
-import io.github.sofas.export.TableColumn.Type;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -10,15 +9,12 @@ import java.util.Map;
 
 /** Writes one row for every event without flow: {@code t_us}, {@code x}, {@code y}, {@code polarity}, 1 or -1. */
 public final class EventTable implements Closeable {
-    private static final int ROWS = 1 << 14;
-    private static final List<TableColumn> COLUMNS = List.of(new TableColumn("t_us", Type.INT64),
-        new TableColumn("x", Type.INT16), new TableColumn("y", Type.INT16), new TableColumn("polarity", Type.INT8));
+    private static final List<TableColumn> COLUMNS = EventRows.columns();
 
-    private final TableWriter table;
-    private final TableRows rows = new TableRows(COLUMNS, ROWS);
+    private final EventRows rows;
 
     private EventTable(TableWriter table) {
-        this.table = table;
+        rows = new EventRows(table, COLUMNS);
     }
 
     /**
@@ -43,31 +39,12 @@ public final class EventTable implements Closeable {
      * @throws IOException where they cannot be written
      */
     public void write(EventBatch batch) throws IOException {
-        for (int from = 0; from < batch.size();) {
-            int n = rows.size();
-            int count = Math.min(batch.size() - from, rows.capacity() - n);
-            System.arraycopy(batch.timeUs, from, rows.longs(0), n, count);
-            System.arraycopy(batch.x, from, rows.shorts(1), n, count);
-            System.arraycopy(batch.y, from, rows.shorts(2), n, count);
-            System.arraycopy(batch.polarity, from, rows.bytes(3), n, count);
-            rows.setSize(n + count);
-            if (n + count == rows.capacity()) {
-                flush();
-            }
-            from += count;
-        }
-    }
-
-    private void flush() throws IOException {
-        table.write(rows);
-        rows.setSize(0);
+        rows.write(batch, (filled, row, from, count) -> { });
     }
 
     /** Writes what is left and closes the file. */
     @Override
     public void close() throws IOException {
-        try (table) {
-            flush();
-        }
+        rows.close();
     }
 }

@@ -14,17 +14,13 @@ import java.util.Map;
  * NaN where the event has no flow, {@code segment} of 32. CSV is written by {@link FlowCsvWriter}.
  */
 public final class FlowTable implements FlowWriter {
-    private static final int ROWS = 1 << 14;
-    private static final List<TableColumn> COLUMNS = List.of(new TableColumn("t_us", Type.INT64),
-        new TableColumn("x", Type.INT16), new TableColumn("y", Type.INT16), new TableColumn("polarity", Type.INT8),
-        new TableColumn("vx_px_per_s", Type.FLOAT32), new TableColumn("vy_px_per_s", Type.FLOAT32),
-        new TableColumn("segment", Type.INT32));
+    private static final List<TableColumn> COLUMNS = EventRows.columns(new TableColumn("vx_px_per_s", Type.FLOAT32),
+        new TableColumn("vy_px_per_s", Type.FLOAT32), new TableColumn("segment", Type.INT32));
 
-    private final TableWriter table;
-    private final TableRows rows = new TableRows(COLUMNS, ROWS);
+    private final EventRows rows;
 
     private FlowTable(TableWriter table) {
-        this.table = table;
+        rows = new EventRows(table, COLUMNS);
     }
 
     /**
@@ -45,39 +41,21 @@ public final class FlowTable implements FlowWriter {
 
     @Override
     public void write(EventBatch batch, FlowOutput flow) throws IOException {
-        for (int from = 0; from < batch.size();) {
-            int n = rows.size();
-            int count = Math.min(batch.size() - from, rows.capacity() - n);
-            System.arraycopy(batch.timeUs, from, rows.longs(0), n, count);
-            System.arraycopy(batch.x, from, rows.shorts(1), n, count);
-            System.arraycopy(batch.y, from, rows.shorts(2), n, count);
-            System.arraycopy(batch.polarity, from, rows.bytes(3), n, count);
-            float[] vx = rows.floats(4);
-            float[] vy = rows.floats(5);
-            int[] segments = rows.ints(6);
+        rows.write(batch, (filled, row, from, count) -> {
+            float[] vx = filled.floats(EventRows.LABELS);
+            float[] vy = filled.floats(EventRows.LABELS + 1);
+            int[] segments = filled.ints(EventRows.LABELS + 2);
             for (int i = 0; i < count; i++) {
                 int segment = flow.segment[from + i];
-                vx[n + i] = segment == 0 ? Float.NaN : flow.vxPxPerS[from + i];
-                vy[n + i] = segment == 0 ? Float.NaN : flow.vyPxPerS[from + i];
-                segments[n + i] = segment;
+                vx[row + i] = segment == 0 ? Float.NaN : flow.vxPxPerS[from + i];
+                vy[row + i] = segment == 0 ? Float.NaN : flow.vyPxPerS[from + i];
+                segments[row + i] = segment;
             }
-            rows.setSize(n + count);
-            if (n + count == rows.capacity()) {
-                flush();
-            }
-            from += count;
-        }
-    }
-
-    private void flush() throws IOException {
-        table.write(rows);
-        rows.setSize(0);
+        });
     }
 
     @Override
     public void close() throws IOException {
-        try (table) {
-            flush();
-        }
+        rows.close();
     }
 }
