@@ -2,7 +2,6 @@ package com.jogamp.opengl;
 
 /** Signatures of the class of that name in JOGL that the filter needs; never run, never shipped. */
 public interface GL {
-    int GL_POINTS = 0x0;
     int GL_LINES = 0x1;
     int GL_SRC_ALPHA = 0x302;
     int GL_ONE_MINUS_SRC_ALPHA = 0x303;

@@ -2,7 +2,6 @@ package com.jogamp.opengl;
 
 /** As much of the class of that name in JOGL as the tests of the filter need. */
 public interface GL {
-    int GL_POINTS = 0x0;
     int GL_LINES = 0x1;
     int GL_SRC_ALPHA = 0x302;
     int GL_ONE_MINUS_SRC_ALPHA = 0x303;

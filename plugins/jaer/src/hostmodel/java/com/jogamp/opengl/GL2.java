@@ -3,9 +3,9 @@ package com.jogamp.opengl;
 /** As much of the class of that name in JOGL as the tests of the filter need. */
 public interface GL2 extends GL {
     int GL_CURRENT_BIT = 0x1;
-    int GL_POINT_BIT = 0x2;
     int GL_LINE_BIT = 0x4;
     int GL_QUADS = 0x7;
+    int GL_MODELVIEW_MATRIX = 0xba6;
     int GL_PROJECTION_MATRIX = 0xba7;
     int GL_ENABLE_BIT = 0x2000;
 
@@ -15,8 +15,6 @@ public interface GL2 extends GL {
 
     void glEnd();
 
-    void glPointSize(float size);
-
     void glPopAttrib();
 
     void glPopMatrix();
@@ -25,7 +23,9 @@ public interface GL2 extends GL {
 
     void glPushMatrix();
 
-    void glRasterPos2f(float x, float y);
+    void glScalef(float x, float y, float z);
+
+    void glTranslatef(float x, float y, float z);
 
     void glVertex2f(float x, float y);
 }

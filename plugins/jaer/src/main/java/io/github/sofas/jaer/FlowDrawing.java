@@ -2,44 +2,28 @@ package io.github.sofas.jaer;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2;
-import com.jogamp.opengl.util.gl2.GLUT;
-import io.github.sofas.event.EventBatch;
-import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.FlowOutput;
-import io.github.sofas.flow.MetricArray;
 import io.github.sofas.flow.Segment;
-import io.github.sofas.flow.Sofas;
-import io.github.sofas.flow.SofasParameters.Preset;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /**
- * Draws what the engine knows over jAER's picture, in chip pixels with the origin lower left. Leaves the state of GL as
- * it was.
+ * Draws what the engine knew after a packet over jAER's picture: events, contours and arrows in chip pixels, labels,
+ * legend and metrics in screen pixels, both with the origin lower left. Leaves the state of GL as it was.
  */
 final class FlowDrawing {
     /** Length of an arrow: where its structure will be after this time. */
     private static final float ARROW_S = 0.25f;
-    /** Side of the inset as a share of the shorter side of the sensor. */
-    private static final float INSET = 0.3f;
-    /** Metric an event of white in the inset, at least: so that chance stays dark. */
-    private static final float WHITE = 2;
-    /** Steps of a sector's arc. */
-    private static final int ARC = 4;
-    private static final int FONT = GLUT.BITMAP_HELVETICA_12;
-    /** Height of a line of text in screen pixels, and how far letters reach below it. */
-    private static final float LINE = 13;
-    private static final float BELOW = 3;
-    private static final float GOLDEN = 0.618034f;
+    /** Height of letters for each unit of jAER's font size: with the picture, but always to be read. */
+    private static final float LEAST_LETTERS = 1.8f;
+    private static final float MOST_LETTERS = 4;
+    private static final float LETTERS_A_PIXEL = 0.8f;
+    /** Turn and growth are sure where they move the outline with this share of the speed, and have so far. */
+    private static final double SURE_SHARE = 0.05;
+    private static final double SURE_PX = 3;
 
-    private final GLUT glut = new GLUT();
-    private final List<Label> labels = new ArrayList<>();
-
-    /** A line of text; left end, base line and width in chip pixels. */
-    private record Label(String text, float left, float bottom, float width) {
-    }
+    private final ScreenText text = new ScreenText();
 
     /** What events are coloured by. */
     public enum Colouring {
@@ -60,97 +44,99 @@ final class FlowDrawing {
         }
     }
 
-    void draw(GL2 gl, Sofas sofas, PacketAdapter packet, SofasFlow shown) {
-        gl.glPushAttrib(GL2.GL_CURRENT_BIT | GL2.GL_ENABLE_BIT | GL2.GL_LINE_BIT | GL2.GL_POINT_BIT
-            | GL.GL_COLOR_BUFFER_BIT);
+    /**
+     * Draws a picture.
+     *
+     * @param behind how many packets the engine has not labelled yet
+     */
+    void draw(GL2 gl, Snapshot now, ShownEvents events, int behind, DrawingProperties shown) {
+        gl.glPushAttrib(GL2.GL_CURRENT_BIT | GL2.GL_ENABLE_BIT | GL2.GL_LINE_BIT | GL.GL_COLOR_BUFFER_BIT);
         gl.glPushMatrix();
         try {
             gl.glEnable(GL.GL_BLEND);
             gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
-            SensorSize sensor = sofas.sensor();
-            List<Segment> segments = sofas.segments();
-            float pixel = pixelSize(gl);
-            labels.clear();
-            if (shown.getEventColours() != Colouring.NONE) {
-                drawEvents(gl, packet, sensor, shown.getEventColours(), pixel);
+            View view = View.of(gl);
+            text.begin(Math.round(shown.getFontSize() * Math.max(LEAST_LETTERS,
+                Math.min(MOST_LETTERS, LETTERS_A_PIXEL * view.pixel()))));
+            drawEvents(gl, events, now.sensor().height(), shown.getEventColours());
+            drawContours(gl, now, shown);
+            if (shown.isSegmentVelocityShown()) {
+                drawArrows(gl, now, shown);
             }
-            for (Segment segment : segments) {
-                drawSegment(gl, sofas, segment, shown, pixel);
-            }
-            if (shown.isMetricShown()) {
-                drawMetric(gl, sofas.metricArray(), sensor);
-            }
-            if (shown.isLegendShown()) {
-                addLegend(packet, segments.size(), shown, sensor, pixel);
-            }
-            drawLabels(gl, pixel);
+            gl.glTranslatef(-view.offsetX() / view.scaleX(), -view.offsetY() / view.scaleY(), 0);
+            gl.glScalef(1 / view.scaleX(), 1 / view.scaleY(), 1);
+            drawInScreenPixels(gl, view, now, events, behind, shown);
+            text.draw(view);
         } finally {
             gl.glPopMatrix();
             gl.glPopAttrib();
         }
     }
 
-    /** Screen pixels a chip pixel, in a picture with borders and zoom. */
-    private static float pixelSize(GL2 gl) {
-        int[] viewport = new int[4];
-        gl.glGetIntegerv(GL.GL_VIEWPORT, viewport, 0);
-        float[] projection = new float[16];
-        gl.glGetFloatv(GL2.GL_PROJECTION_MATRIX, projection, 0);
-        // the view is 2 wide and 2 high; the matrix is in columns
-        return Math.max(1, Math.min(Math.abs(projection[0]) * viewport[2], Math.abs(projection[5]) * viewport[3]) / 2);
-    }
-
-    private static void drawEvents(GL2 gl, PacketAdapter packet, SensorSize sensor, Colouring colouring, float pixel) {
-        EventBatch batch = packet.batch();
-        FlowOutput flow = packet.output();
-        gl.glPointSize(pixel);
-        gl.glBegin(GL.GL_POINTS);
+    /** Squares, as points are round or leave gaps where a pixel of the chip is no whole number of the screen's. */
+    private static void drawEvents(GL2 gl, ShownEvents events, int height, Colouring colouring) {
+        if (colouring == Colouring.NONE) {
+            return;
+        }
+        gl.glBegin(GL2.GL_QUADS);
         int coloured = 0;
-        for (int i = 0; i < batch.size(); i++) {
-            if (flow.segment[i] != 0) {
+        for (int i = 0; i < events.size(); i++) {
+            int segment = events.segment(i);
+            if (segment != 0) {
                 if (colouring == Colouring.FLOW) {
-                    colour(gl, colourOf(flow.vxPxPerS[i], -flow.vyPxPerS[i]), 0.8f);
-                } else if (flow.segment[i] != coloured) {
-                    coloured = flow.segment[i];
-                    colour(gl, colourOf(coloured), 0.8f);
+                    Colours.set(gl, Colours.of(events.vxPxPerS(i), -events.vyPxPerS(i)), 0.8f);
+                } else if (segment != coloured) {
+                    coloured = segment;
+                    Colours.set(gl, Colours.of(coloured), 0.8f);
                 }
-                gl.glVertex2f(batch.x[i] + 0.5f, sensor.height() - 1 - batch.y[i] + 0.5f);
+                square(gl, events.x(i), height - 1 - events.y(i));
             }
         }
         gl.glEnd();
     }
 
-    private void drawSegment(GL2 gl, Sofas sofas, Segment segment, SofasFlow shown, float pixel) {
-        int height = sofas.sensor().height();
-        Color colour = shown.getEventColours() == Colouring.FLOW ? colourOf(segment.vxPxPerS(), -segment.vyPxPerS())
-            : colourOf(segment.id());
-        float centreX = (segment.minX() + segment.maxX() + 1) / 2f;
-        float centreY = height - (segment.minY() + segment.maxY() + 1) / 2f;
-        if (shown.isContoursShown()) {
-            colour(gl, colour, 0.45f);
-            gl.glPointSize(pixel);
-            gl.glBegin(GL.GL_POINTS);
-            sofas.contour(segment.id(), (x, y) -> gl.glVertex2f(x + 0.5f, height - 1 - y + 0.5f));
-            gl.glEnd();
+    private static void square(GL2 gl, int x, int y) {
+        gl.glVertex2f(x, y);
+        gl.glVertex2f(x + 1, y);
+        gl.glVertex2f(x + 1, y + 1);
+        gl.glVertex2f(x, y + 1);
+    }
+
+    private static Color colourOf(Segment segment, DrawingProperties shown) {
+        return shown.getEventColours() == Colouring.FLOW ? Colours.of(segment.vxPxPerS(), -segment.vyPxPerS())
+            : Colours.of(segment.id());
+    }
+
+    private static void drawContours(GL2 gl, Snapshot now, DrawingProperties shown) {
+        if (!shown.isContoursShown()) {
+            return;
         }
-        if (shown.isSegmentVelocityShown()) {
-            colour(gl, colour, 1);
-            arrow(gl, centreX, centreY, segment.vxPxPerS() * ARROW_S, -segment.vyPxPerS() * ARROW_S);
+        gl.glBegin(GL2.GL_QUADS);
+        for (int i = 0; i < now.contours().size(); i++) {
+            Colours.set(gl, colourOf(now.segments().get(i), shown), 0.45f);
+            short[] cells = now.contours().get(i);
+            for (int k = 0; k < cells.length; k += 2) {
+                square(gl, cells[k], now.sensor().height() - 1 - cells[k + 1]);
+            }
         }
-        if (shown.isSegmentLabelsShown()) {
-            // rounded here, since a format would print -0
-            String text = String.format(Locale.ROOT, "%d: (%d, %d) px/s, %.1f s", segment.id(),
-                Math.round(segment.vxPxPerS()), Math.round(-segment.vyPxPerS()),
-                (segment.lastTimeUs() - segment.firstTimeUs()) * 1e-6);
-            addLabel(sofas.sensor(), pixel, segment.minX(), height - segment.minY() + 2, text);
+        gl.glEnd();
+    }
+
+    private static void drawArrows(GL2 gl, Snapshot now, DrawingProperties shown) {
+        gl.glLineWidth(2.5f);
+        gl.glBegin(GL.GL_LINES);
+        for (Segment segment : now.segments()) {
+            Colours.set(gl, colourOf(segment, shown), 1);
+            arrow(gl, (segment.minX() + segment.maxX() + 1) / 2f,
+                now.sensor().height() - (segment.minY() + segment.maxY() + 1) / 2f,
+                segment.vxPxPerS() * ARROW_S, -segment.vyPxPerS() * ARROW_S);
         }
+        gl.glEnd();
     }
 
     private static void arrow(GL2 gl, float x, float y, float dx, float dy) {
         float headX = x + dx;
         float headY = y + dy;
-        gl.glLineWidth(2.5f);
-        gl.glBegin(GL.GL_LINES);
         gl.glVertex2f(x, y);
         gl.glVertex2f(headX, headY);
         float length = (float) Math.hypot(dx, dy);
@@ -161,116 +147,150 @@ final class FlowDrawing {
             gl.glVertex2f(headX, headY);
             gl.glVertex2f(headX - head * (dx + 0.5f * dy), headY - head * (dy - 0.5f * dx));
         }
-        gl.glEnd();
     }
 
-    /** Text of one size whatever the window's, kept on the sensor. */
-    private void addLabel(SensorSize sensor, float pixel, float x, float y, String text) {
-        float width = glut.glutBitmapLength(FONT, text) / pixel;
-        float left = Math.max(0, Math.min(x, sensor.width() - width));
-        float bottom = Math.max(BELOW / pixel, Math.min(y, sensor.height() - LINE / pixel));
-        labels.add(new Label(text, left, bottom, width));
-    }
-
-    /** All at once: letters are slow to draw, and each change of colour makes them slower. */
-    private void drawLabels(GL2 gl, float pixel) {
-        if (labels.isEmpty()) {
-            return;
+    private void drawInScreenPixels(GL2 gl, View view, Snapshot now, ShownEvents events, int behind,
+                                    DrawingProperties shown) {
+        Box sensor = view.onScreen(0, 0, now.sensor().width(), now.sensor().height());
+        LabelLayout layout = new LabelLayout(view.width(), view.height());
+        List<Box> leaders = new ArrayList<>();
+        if (shown.isLegendShown()) {
+            addLegend(legend(now, events, behind, shown), sensor, view, layout);
+        }
+        if (shown.isMetricShown() && now.metrics() != null) {
+            Box inset = MetricInset.place(view, sensor, text.height());
+            layout.take(inset);
+            MetricInset.draw(gl, now.metrics(), inset);
+            addTitle(MetricInset.title(now), inset, view, layout);
+        }
+        if (shown.isSegmentLabelsShown()) {
+            addLabels(now, view, layout, leaders);
         }
         gl.glColor4f(0, 0, 0, 0.5f);
         gl.glBegin(GL2.GL_QUADS);
-        for (Label label : labels) {
-            quad(gl, label.left(), label.bottom() - BELOW / pixel, label.width(), LINE / pixel);
+        for (ScreenText.Line line : text.lines()) {
+            Box box = line.box();
+            gl.glVertex2f(box.left(), box.bottom());
+            gl.glVertex2f(box.right(), box.bottom());
+            gl.glVertex2f(box.right(), box.top());
+            gl.glVertex2f(box.left(), box.top());
         }
         gl.glEnd();
-        gl.glColor4f(1, 1, 1, 1);
-        for (Label label : labels) {
-            gl.glRasterPos2f(label.left(), label.bottom());
-            glut.glutBitmapString(FONT, label.text());
-        }
+        drawLeaders(gl, leaders);
     }
 
-    /** The metrics, from chance (dark) to the greatest (white), in the lower right corner. */
-    private static void drawMetric(GL2 gl, MetricArray metrics, SensorSize sensor) {
-        int n = metrics.n();
-        float most = 0;
-        for (int i = 0; i < n * n; i++) {
-            most = Math.max(most, metrics.perEvent(i / n, i % n));
+    /** From labels that lie apart to what they name. */
+    private static void drawLeaders(GL2 gl, List<Box> leaders) {
+        gl.glColor4f(1, 1, 1, 0.6f);
+        gl.glLineWidth(1);
+        gl.glBegin(GL.GL_LINES);
+        for (Box leader : leaders) {
+            gl.glVertex2f(leader.left(), leader.bottom());
+            gl.glVertex2f(leader.right(), leader.top());
         }
-        if (most <= 1) {
-            return;
-        }
-        float white = Math.max(most, WHITE);
-        float side = INSET * Math.min(sensor.width(), sensor.height());
-        float left = sensor.width() - side - 2;
-        float bottom = 2;
-        gl.glColor4f(0, 0, 0, 0.5f);
-        gl.glBegin(GL2.GL_QUADS);
-        quad(gl, left - 1, bottom - 1, side + 2, side + 2);
-        for (int row = 0; row < n; row++) {
-            for (int column = 0; column < n; column++) {
-                float bright = Math.max(0, metrics.perEvent(row, column) - 1) / (white - 1);
-                gl.glColor4f(bright, bright, bright, 0.9f);
-                if (metrics.preset() == Preset.PAPER) {
-                    // rows are angles along y, positive down
-                    quad(gl, left + column * side / n, bottom + (n - 1 - row) * side / n, side / n, side / n);
-                } else {
-                    sector(gl, left + side / 2, bottom + side / 2, side / 2, n, row, column);
+        gl.glEnd();
+    }
+
+    /** Those of old structures first: they keep their places when others come. */
+    private void addLabels(Snapshot now, View view, LabelLayout layout, List<Box> leaders) {
+        int height = now.sensor().height();
+        for (Segment segment : now.segments()) {
+            String label = label(segment);
+            Box named = view.onScreen(segment.minX(), height - 1 - segment.maxY(), segment.maxX() + 1,
+                height - segment.minY());
+            Box box = layout.place(named, text.width(label), text.height());
+            if (box != null) {
+                text.add(label, box);
+                float far = LabelLayout.GAP + 1;
+                if (!Box.of(named.left() - far, named.bottom() - far, named.width() + 2 * far,
+                        named.height() + 2 * far).overlaps(box)) {
+                    leaders.add(new Box((box.left() + box.right()) / 2, (box.bottom() + box.top()) / 2,
+                        (named.left() + named.right()) / 2, (named.bottom() + named.top()) / 2));
                 }
             }
         }
-        gl.glEnd();
     }
 
-    private static void quad(GL2 gl, float left, float bottom, float width, float height) {
-        gl.glVertex2f(left, bottom);
-        gl.glVertex2f(left + width, bottom);
-        gl.glVertex2f(left + width, bottom + height);
-        gl.glVertex2f(left, bottom + height);
+    /** Whether a turn or growth is more than what an error of the velocity looks like. */
+    private static boolean isSure(float perS, Segment segment) {
+        double radius = Math.hypot(segment.maxX() + 1 - segment.minX(), segment.maxY() + 1 - segment.minY()) / 2;
+        double pxPerS = Math.abs(perS) * radius;
+        return pxPerS >= SURE_SHARE * Math.hypot(segment.vxPxPerS(), segment.vyPxPerS())
+            && pxPerS * ageS(segment) >= SURE_PX;
     }
 
-    /** A ring's part around a direction; the innermost ring begins a step off the centre. */
-    private static void sector(GL2 gl, float x, float y, float radius, int n, int ring, int direction) {
-        float inner = radius * (ring + 1) / (n + 1);
-        float outer = radius * (ring + 2) / (n + 1);
-        for (int k = 0; k < ARC; k++) {
-            double from = 2 * Math.PI * (direction + 0.5 * (ring & 1) - 0.5 + (double) k / ARC) / n;
-            double to = from + 2 * Math.PI / n / ARC;
-            // angles of the engine turn towards y down
-            gl.glVertex2f(x + inner * (float) Math.cos(from), y - inner * (float) Math.sin(from));
-            gl.glVertex2f(x + outer * (float) Math.cos(from), y - outer * (float) Math.sin(from));
-            gl.glVertex2f(x + outer * (float) Math.cos(to), y - outer * (float) Math.sin(to));
-            gl.glVertex2f(x + inner * (float) Math.cos(to), y - inner * (float) Math.sin(to));
+    private static double ageS(Segment segment) {
+        return (segment.lastTimeUs() - segment.firstTimeUs()) * 1e-6;
+    }
+
+    /** Id, velocity and age; turn and growth where they are sure. */
+    static String label(Segment segment) {
+        // rounded here, since a format would print -0
+        StringBuilder label = new StringBuilder(String.format(Locale.ROOT, "%d: (%d, %d) px/s, %.1f s", segment.id(),
+            Math.round(segment.vxPxPerS()), Math.round(-segment.vyPxPerS()),
+            ageS(segment)));
+        float turn = segment.turnRadPerS();
+        if (isSure(turn, segment)) {
+            label.append(String.format(Locale.ROOT, ", turns %s %.1f rad/s", turn > 0 ? "right" : "left",
+                Math.abs(turn)));
         }
+        float growth = segment.growthPerS();
+        if (isSure(growth, segment)) {
+            label.append(String.format(Locale.ROOT, ", %s %.2f/s", growth > 0 ? "grows" : "shrinks",
+                Math.abs(growth)));
+        }
+        return label.toString();
     }
 
-    private void addLegend(PacketAdapter packet, int segments, SofasFlow shown, SensorSize sensor, float pixel) {
-        int events = packet.batch().size();
-        int with = 0;
-        for (int i = 0; i < events; i++) {
-            with += packet.output().segment[i] == 0 ? 0 : 1;
-        }
-        String colours = switch (shown.getEventColours()) {
+    /** What the picture shows, in parts that may each begin a line. */
+    private static List<String> legend(Snapshot now, ShownEvents events, int behind, DrawingProperties shown) {
+        List<String> parts = new ArrayList<>();
+        int segments = now.segments().size();
+        parts.add(String.format(Locale.ROOT, "SOFAS: %d %s", segments, segments == 1 ? "segment" : "segments"));
+        parts.add(String.format(Locale.ROOT, "%.0f %% of %,d events with flow",
+            100.0 * events.withFlow() / Math.max(1, events.size()), events.size()));
+        parts.add(switch (shown.getEventColours()) {
             case SEGMENT -> "a colour a segment";
             case FLOW -> "colour: direction of flow";
             case NONE -> "events not coloured";
-        };
-        addLabel(sensor, pixel, 1, sensor.height() - LINE / pixel, String.format(Locale.ROOT,
-            "SOFAS: %d segments, %.0f %% of %,d events with flow; %s; arrows %.2f s long", segments,
-            100.0 * with / Math.max(1, events), events, colours, ARROW_S));
+        });
+        if (shown.isSegmentVelocityShown()) {
+            parts.add(String.format(Locale.ROOT, "arrows %.2f s long", ARROW_S));
+        }
+        if (behind > 0) {
+            parts.add(behind == 1 ? "1 packet behind" : behind + " packets behind");
+        }
+        return parts;
     }
 
-    private static void colour(GL2 gl, Color colour, float alpha) {
-        gl.glColor4f(colour.getRed() / 255f, colour.getGreen() / 255f, colour.getBlue() / 255f, alpha);
+    /** In the sensor's upper left corner, in as many lines as it needs. */
+    private void addLegend(List<String> parts, Box sensor, View view, LabelLayout layout) {
+        float left = Math.max(0, sensor.left() + 2);
+        float top = Math.min(view.height(), sensor.top() - 2);
+        String line = "";
+        for (String part : parts) {
+            String longer = line.isEmpty() ? part : line + "; " + part;
+            if (!line.isEmpty() && left + text.width(longer) > view.width()) {
+                top = addLine(line, left, top, layout);
+                line = part;
+            } else {
+                line = longer;
+            }
+        }
+        addLine(line, left, top, layout);
     }
 
-    /** Successive ids lie far apart on the wheel of hues. */
-    private static Color colourOf(int segment) {
-        return Color.getHSBColor(segment * GOLDEN % 1, 0.75f, 1);
+    private float addLine(String line, float left, float top, LabelLayout layout) {
+        Box box = Box.of(left, top - text.height(), text.width(line), text.height());
+        text.add(line, box);
+        layout.take(box);
+        return box.bottom();
     }
 
-    /** jAER's colour of a direction, y up. */
-    private static Color colourOf(float vx, float vy) {
-        return Color.getHSBColor((float) (Math.atan2(vy, vx) / (2 * Math.PI) + 0.5), 1, 1);
+    private void addTitle(String title, Box inset, View view, LabelLayout layout) {
+        float left = Math.max(0, Math.min(inset.left(), view.width() - text.width(title)));
+        Box box = Box.of(left, inset.top(), text.width(title), text.height());
+        text.add(title, box);
+        layout.take(box);
     }
 }

@@ -18,7 +18,6 @@ import java.util.Locale;
 import javax.swing.JFileChooser;
 import net.sf.jaer.Description;
 import net.sf.jaer.DevelopmentStatus;
-import net.sf.jaer.Preferred;
 import net.sf.jaer.chip.AEChip;
 import net.sf.jaer.event.ApsDvsEvent;
 import net.sf.jaer.event.EventPacket;
@@ -35,27 +34,19 @@ import net.sf.jaer.graphics.AEViewer;
 @Description("SOFAS: simultaneous optical flow and segmentation (Stoffregen and Kleeman 2017)")
 @DevelopmentStatus(DevelopmentStatus.Status.Stable)
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
-public class SofasFlow extends GeneratedProperties {
-    private static final String DRAWING = "4: SOFAS drawing";
-
+public class SofasFlow extends DrawingProperties {
     private final PacketAdapter adapter = new PacketAdapter();
     private final FlowDrawing drawing = new FlowDrawing();
     private final Counters counters = new Counters();
     private final ReaderWatch watch = new ReaderWatch();
+    private final ShownEvents shownEvents = new ShownEvents();
     private volatile Sofas sofas;
-
-    private FlowDrawing.Colouring eventColours;
-    private boolean segmentVelocityShown = getBoolean("segmentVelocityShown", true);
-    private boolean segmentLabelsShown = getBoolean("segmentLabelsShown", true);
-    private boolean contoursShown = getBoolean("contoursShown", true);
-    private boolean metricShown = getBoolean("metricShown", true);
-    private boolean legendShown = getBoolean("legendShown", true);
+    private Snapshot snapshot;
 
     /** Is called by jAER. */
     public SofasFlow(AEChip chip) {
         super(chip);
         numInputTypes = 2;
-        eventColours = FlowDrawing.Colouring.of(getString("eventColours", FlowDrawing.Colouring.SEGMENT.name()));
         // what the family does to flow of single events: flow of whole structures needs neither
         if (!isPreferenceStored("speedControlEnabled")) {
             setSpeedControlEnabled(false);
@@ -76,15 +67,6 @@ public class SofasFlow extends GeneratedProperties {
         hideProperty("refractoryPeriodUs");
         hideProperty("timestampGapThresholdUs");
         hideProperty("warnNonmonotonicTimestamps");
-        setPropertyTooltip(DRAWING, "eventColours", "<html>what the last packet's events are coloured by:<br>"
-            + "SEGMENT, FLOW (as the colour wheel) or NONE; default SEGMENT");
-        setPropertyTooltip(DRAWING, "segmentVelocityShown", "an arrow for each track plane; default on");
-        setPropertyTooltip(DRAWING, "segmentLabelsShown", "id, velocity and age of each track plane; default on");
-        setPropertyTooltip(DRAWING, "contoursShown", "contour cells of each track plane; default on");
-        setPropertyTooltip(DRAWING, "metricShown",
-            "<html>the flow plane's metrics while it searches, brightest at the greatest:<br>directions around,"
-            + " speeds outwards (PAPER: angles along x and y); default on");
-        setPropertyTooltip(DRAWING, "legendShown", "counts and what the colours mean; default on");
         setPropertyTooltip("reset", "forgets all events and segments");
         setPropertyTooltip("setDefaults", "brings all values of the preset back, and what is shown at first");
         setPropertyTooltip("copyStatistics", "puts what PrintStatistics logs of this filter into the clipboard");
@@ -108,6 +90,8 @@ public class SofasFlow extends GeneratedProperties {
         adapter.read((EventPacket<?>) in, sofas.sensor());
         long read = System.nanoTime();
         sofas.process(adapter.batch(), adapter.output());
+        snapshot = Snapshot.of(sofas, isContoursShown(), isMetricShown());
+        shownEvents.add(adapter.batch(), adapter.output());
         long labelled = System.nanoTime();
         emit((EventPacket<?>) in);
         getMotionFlowStatistics().updatePacket(countIn, countOut, ts);
@@ -190,6 +174,8 @@ public class SofasFlow extends GeneratedProperties {
         super.resetFilter();
         adapter.reset();
         counters.reset();
+        shownEvents.clear();
+        snapshot = null;
         if (sofas != null) {
             sofas.reset();
         }
@@ -225,8 +211,9 @@ public class SofasFlow extends GeneratedProperties {
             return;
         }
         super.annotate(drawable);
-        if (sofas != null) {
-            drawing.draw(drawable.getGL().getGL2(), sofas, adapter, this);
+        if (snapshot != null) {
+            drawing.draw(drawable.getGL().getGL2(), snapshot, shownEvents, 0, this);
+            shownEvents.setDrawn();
         }
     }
 
@@ -288,86 +275,5 @@ public class SofasFlow extends GeneratedProperties {
                 log.warning("SOFAS could not write " + name + ": " + failure);
             }
         }
-    }
-
-    /** What events are coloured by. */
-    @Preferred
-    public FlowDrawing.Colouring getEventColours() {
-        return eventColours;
-    }
-
-    /** Sets {@link #getEventColours}. */
-    public void setEventColours(FlowDrawing.Colouring value) {
-        if (value != null) {
-            FlowDrawing.Colouring old = eventColours;
-            eventColours = value;
-            putString("eventColours", value.name());
-            getSupport().firePropertyChange("eventColours", old, value);
-        }
-    }
-
-    /** Whether track planes have arrows. */
-    public boolean isSegmentVelocityShown() {
-        return segmentVelocityShown;
-    }
-
-    /** Sets {@link #isSegmentVelocityShown}. */
-    public void setSegmentVelocityShown(boolean value) {
-        boolean old = segmentVelocityShown;
-        segmentVelocityShown = value;
-        shown("segmentVelocityShown", old, value);
-    }
-
-    /** Whether track planes have labels. */
-    public boolean isSegmentLabelsShown() {
-        return segmentLabelsShown;
-    }
-
-    /** Sets {@link #isSegmentLabelsShown}. */
-    public void setSegmentLabelsShown(boolean value) {
-        boolean old = segmentLabelsShown;
-        segmentLabelsShown = value;
-        shown("segmentLabelsShown", old, value);
-    }
-
-    /** Whether contour cells are drawn. */
-    public boolean isContoursShown() {
-        return contoursShown;
-    }
-
-    /** Sets {@link #isContoursShown}. */
-    public void setContoursShown(boolean value) {
-        boolean old = contoursShown;
-        contoursShown = value;
-        shown("contoursShown", old, value);
-    }
-
-    /** Whether the flow plane's metrics are drawn. */
-    public boolean isMetricShown() {
-        return metricShown;
-    }
-
-    /** Sets {@link #isMetricShown}. */
-    public void setMetricShown(boolean value) {
-        boolean old = metricShown;
-        metricShown = value;
-        shown("metricShown", old, value);
-    }
-
-    /** Whether the legend is drawn. */
-    public boolean isLegendShown() {
-        return legendShown;
-    }
-
-    /** Sets {@link #isLegendShown}. */
-    public void setLegendShown(boolean value) {
-        boolean old = legendShown;
-        legendShown = value;
-        shown("legendShown", old, value);
-    }
-
-    private void shown(String name, boolean old, boolean value) {
-        putBoolean(name, value);
-        getSupport().firePropertyChange(name, old, value);
     }
 }

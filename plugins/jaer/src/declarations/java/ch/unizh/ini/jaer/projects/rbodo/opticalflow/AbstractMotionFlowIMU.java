@@ -112,6 +112,18 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
         throw new UnsupportedOperationException();
     }
 
+    public boolean isDisplayVectorsEnabled() {
+        throw new UnsupportedOperationException();
+    }
+
+    public void setDisplayColorWheelLegend(boolean displayColorWheelLegend) {
+        throw new UnsupportedOperationException();
+    }
+
+    public int getFontSize() {
+        throw new UnsupportedOperationException();
+    }
+
     public void setDisplayGlobalMotion(boolean displayGlobalMotion) {
         throw new UnsupportedOperationException();
     }

@@ -37,6 +37,8 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public boolean speedControlEnabled = true;
     public boolean displayVectorsEnabled = true;
     public boolean displayGlobalMotion = true;
+    public boolean displayColorWheelLegend = true;
+    public int fontSize = 6;
     public int resets;
     public Runnable clockStarted = () -> { };
     private final MotionFlowStatistics statistics = new MotionFlowStatistics();
@@ -52,6 +54,7 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
         super(chip);
         measureAccuracy = getBoolean("measureAccuracy", true);
         imuFlowEstimator = new ImuFlowEstimator();
+        setPropertyTooltip("displayVectorsEnabled", "vectors");
     }
 
     @Override
@@ -130,6 +133,18 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public void setDisplayVectorsEnabled(boolean displayVectorsEnabled) {
         this.displayVectorsEnabled = displayVectorsEnabled;
         putBoolean("displayVectorsEnabled", displayVectorsEnabled);
+    }
+
+    public boolean isDisplayVectorsEnabled() {
+        return displayVectorsEnabled;
+    }
+
+    public void setDisplayColorWheelLegend(boolean value) {
+        displayColorWheelLegend = value;
+    }
+
+    public int getFontSize() {
+        return fontSize;
     }
 
     public void setDisplayGlobalMotion(boolean displayGlobalMotion) {

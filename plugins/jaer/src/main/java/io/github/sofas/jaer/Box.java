@@ -1,0 +1,26 @@
+package io.github.sofas.jaer;
+
+/** A rectangle of the screen, in its pixels, y up. */
+record Box(float left, float bottom, float right, float top) {
+
+    static Box of(float left, float bottom, float width, float height) {
+        return new Box(left, bottom, left + width, bottom + height);
+    }
+
+    float width() {
+        return right - left;
+    }
+
+    float height() {
+        return top - bottom;
+    }
+
+    boolean overlaps(Box other) {
+        return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
+    }
+
+    /** Distance of the centres. */
+    float distance(Box other) {
+        return (float) Math.hypot(left + right - other.left - other.right, bottom + top - other.bottom - other.top) / 2;
+    }
+}
