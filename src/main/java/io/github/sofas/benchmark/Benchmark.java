@@ -107,7 +107,7 @@ public final class Benchmark {
                 write(events, flows, out);
                 return out.checksum.value();
             });
-        EngineFigures figures = new EngineFigures(events.sensor(), shareWithFlow(flows),
+        EngineFigures figures = new EngineFigures(events.sensor(), shareWithFlow(flows), eventsPerPx(events, flows),
             (double) allocated[0] / events.size(), engineBytes, PacketTimes.measure(sofas, events));
         return new InMemory(events.size(), engine, csv, figures);
     }
@@ -122,6 +122,22 @@ public final class Benchmark {
             }
         }
         return (double) withFlow / events;
+    }
+
+    /** Events with flow, over the way that they would go at their mean speed in the time of the recording. */
+    static double eventsPerPx(EventsInMemory events, List<FlowOutput> flows) {
+        long withFlow = 0;
+        double speeds = 0;
+        for (FlowOutput flow : flows) {
+            for (int i = 0; i < flow.capacity(); i++) {
+                if (flow.segment[i] != 0) {
+                    withFlow++;
+                    speeds += Math.hypot(flow.vxPxPerS[i], flow.vyPxPerS[i]);
+                }
+            }
+        }
+        double travelPx = speeds / Math.max(1, withFlow) * events.durationUs() * 1e-6;
+        return travelPx > 0 ? withFlow / travelPx : 0;
     }
 
     private static long checksum(List<FlowOutput> flows) {

@@ -50,6 +50,8 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
         latency(text, "1 ms of the recording", engine.packets().ofOneMs());
         latency(text, PacketTimes.PACED_EVENTS + " events, one each ms", engine.packets().paced());
         latency(text, "of which worked on", engine.packets().pacedWork());
+        text.append(String.format(Locale.ROOT, "  density        %.0f events with flow while what they show "
+            + "travels 1 px\n", engine.eventsPerPx()));
         text.append(String.format(Locale.ROOT, "  memory         %.3f bytes allocated per event, engine holds %.1f MB, "
             + "peak heap of a whole run %.1f MB\n", engine.allocatedBytesPerEvent(), engine.heldBytes() / 1e6,
             figures.peakHeapBytes() / 1e6));
@@ -98,6 +100,15 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
         }
     }
 
+    /**
+     * Draws the cost of an event over the density as a PNG; leaves the stream open.
+     *
+     * @throws IOException where it cannot be written
+     */
+    public void plot(OutputStream out) throws IOException {
+        CostPlot.write(recordings, out);
+    }
+
     private static void write(JsonGenerator json, RecordingFigures figures) throws IOException {
         EngineFigures engine = figures.figures();
         json.writeStartObject();
@@ -109,6 +120,7 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
         json.writeObjectFieldStart("engine");
         write(json, figures.engine());
         Json.write(json, "share_with_flow", engine.shareWithFlow(), 6);
+        Json.write(json, "events_per_px", engine.eventsPerPx(), 1);
         Json.write(json, "allocated_bytes_per_event", engine.allocatedBytesPerEvent(), 4);
         json.writeNumberField("held_bytes", engine.heldBytes());
         write(json, "latency_1_ms", engine.packets().ofOneMs());

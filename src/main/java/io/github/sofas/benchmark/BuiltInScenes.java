@@ -14,6 +14,7 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -25,10 +26,18 @@ public final class BuiltInScenes {
     private static final SensorSize LARGEST = new SensorSize(SensorSize.MAX_WIDTH, SensorSize.MAX_HEIGHT);
     private static final double NOISE_HZ_PER_PX = 5;
     private static final long NOISE_US = 2_200_000;
+    /** Events a pixel of the sensor while the textured wall slides past by a px, about. */
+    private static final double WALL_EVENTS_PER_PX = 0.155;
+    private static final double WALL_PX_PER_S = 120;
+    /** Standard deviations of the log intensity of walls with a third and with three times as many events. */
+    private static final double FAINT_WALL_SD = 0.11;
+    private static final double STRONG_WALL_SD = 0.9;
+
+    private static final SensorSize HD = new SensorSize(1280, 720);
 
     private static final List<BuiltIn> ALL = all();
 
-    /** One of them; passes make about a million events. */
+    /** One of them; passes make about a million events, of large sensors more. */
     private record BuiltIn(String name, Scene scene, SimulationOptions options, int passes) {
         String fullName() {
             return name + " (simulated, " + options.sensor() + ")";
@@ -39,6 +48,37 @@ public final class BuiltInScenes {
     }
 
     private static List<BuiltIn> all() {
+        List<BuiltIn> all = new ArrayList<>(sparse());
+        SensorSize davis240 = SimulationOptions.DAVIS240;
+        for (double millionPerS : new double[] {0.35, 1, 5}) {
+            all.add(wall(davis240, millionPerS, 1));
+        }
+        for (double millionPerS : new double[] {0.35, 1, 5}) {
+            all.add(wall(DAVIS346, millionPerS, 1.5));
+        }
+        all.add(wall("faint textured-pan", FAINT_WALL_SD));
+        all.add(wall("strong textured-pan", STRONG_WALL_SD));
+        all.add(wall(HD, 10, 2.5));
+        all.add(wall(HD, 50, 4));
+        return List.copyOf(all);
+    }
+
+    /** A wall that slides past as fast as its rate of events asks for, until there are so many million events. */
+    private static BuiltIn wall(SensorSize sensor, double millionPerS, double millions) {
+        SimulationOptions options = SimulationOptions.defaults().withSensor(sensor)
+            .withSpeedPxPerS(millionPerS * 1e6 / pixels(sensor) / WALL_EVENTS_PER_PX)
+            .withDurationUs(Math.round(millions / millionPerS * 1e6));
+        String rate = millionPerS < 1 ? Double.toString(millionPerS) : Long.toString(Math.round(millionPerS));
+        return new BuiltIn("textured-pan of " + rate + " million/s", Scene.TEXTURED_PAN, options, 1);
+    }
+
+    /** A wall of another contrast: more or fewer events a pixel of travel. */
+    private static BuiltIn wall(String name, double sd) {
+        return new BuiltIn(name, Scene.TEXTURED_PAN, SimulationOptions.defaults().withSensor(DAVIS346)
+            .withSpeedPxPerS(WALL_PX_PER_S).withTexture(sd).withDurationUs(1_000_000), 1);
+    }
+
+    private static List<BuiltIn> sparse() {
         SimulationOptions davis = SimulationOptions.defaults();
         // As long on both sensors, and with as much noise in all, so that only the sensor's size differs.
         SimulationOptions small = davis.withDurationUs(Scene.HEXAGON.durationUs(davis));

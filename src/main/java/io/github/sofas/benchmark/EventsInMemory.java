@@ -74,6 +74,15 @@ record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
         return new EventsInMemory(sensor, packets, size);
     }
 
+    /** Time from the first event to the last, in µs. */
+    long durationUs() {
+        if (batches.isEmpty()) {
+            return 0;
+        }
+        EventBatch last = batches.get(batches.size() - 1);
+        return last.timeUs[last.size() - 1] - batches.get(0).timeUs[0];
+    }
+
     /** The size of the largest batch; 1 where there is none. */
     int largestBatch() {
         return batches.stream().mapToInt(EventBatch::size).max().orElse(1);

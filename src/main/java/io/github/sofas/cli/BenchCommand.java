@@ -10,11 +10,13 @@ import io.github.sofas.benchmark.RecordingUnderTest;
 import io.github.sofas.event.EventSourceException;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -66,6 +68,10 @@ final class BenchCommand implements Callable<Integer> {
         description = "Duration of the sampling that gives each stage's share of the time; default: ${DEFAULT-VALUE}.")
     private int sampledMs;
 
+    @Option(names = "--plot", paramLabel = "FILE",
+        description = "Draw the cost of an event over the density, a point for each recording, as PNG.")
+    private Path plot;
+
     @Mixin
     private ReadingOptions reading;
 
@@ -96,6 +102,8 @@ final class BenchCommand implements Callable<Integer> {
                 all.add(folder -> BuiltInScenes.film(name, folder));
             }
         }
+        new OutputFiles(spec.commandLine()).check(arguments.stream().map(Path::of).toList(),
+            Collections.singletonList(plot));
         PrintWriter out = spec.commandLine().getOut();
         Machine machine = Machine.here();
         if (!asJson) {
@@ -106,9 +114,17 @@ final class BenchCommand implements Callable<Integer> {
         for (Making each : all) {
             measure(each, options, measured);
         }
+        BenchmarkReport report = new BenchmarkReport(machine, measured);
+        if (plot != null) {
+            try (OutputStream file = Files.newOutputStream(plot)) {
+                report.plot(file);
+            } catch (IOException e) {
+                throw new FailureException("[" + plot + "] cannot be written: " + FileFailure.text(e), e);
+            }
+        }
         if (asJson) {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-            new BenchmarkReport(machine, measured).write(bytes);
+            report.write(bytes);
             out.print(bytes.toString(StandardCharsets.UTF_8));
         }
         return measured.size() == all.size() ? Main.OK : Main.FAILED;

@@ -3,11 +3,13 @@ package io.github.sofas.benchmark;
 import static org.junit.Assert.assertEquals;
 
 import io.github.sofas.event.SensorSize;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import org.junit.Test;
 
 public class BenchmarkReportTest {
@@ -21,7 +23,7 @@ public class BenchmarkReportTest {
         PacketTimes packets = new PacketTimes(new Latency(3, 1, 2, 3, 4), new Latency(2, 5_000_000, 6, 7, 8),
             new Latency(2, 9, 10, 11, 12));
         return new RecordingFigures("bar.aedat", "AEDAT 2.0", rates(1, 0xe), rates(2, 0xd), rates(3, 0xc),
-            rates(4, 0xf), shares, new EngineFigures(new SensorSize(240, 180), 0.5, 1.5, 2_000_000, packets),
+            rates(4, 0xf), shares, new EngineFigures(new SensorSize(240, 180), 0.5, 12.5, 1.5, 2_000_000, packets),
             3_000_000);
     }
 
@@ -44,7 +46,8 @@ public class BenchmarkReportTest {
             + "\"engine\":{\"runs\":5,\"min_events_per_s\":5000000.0,\"median_events_per_s\":10000000.0,"
             + "\"max_events_per_s\":20000000.0,\"median_ns_per_event\":100.000,"
             + "\"median_cpu_ns_per_event\":25.000,\"checksum\":\"000000000000000e\","
-            + "\"share_with_flow\":0.500000,\"allocated_bytes_per_event\":1.5000,\"held_bytes\":2000000,"
+            + "\"share_with_flow\":0.500000,\"events_per_px\":12.5,"
+            + "\"allocated_bytes_per_event\":1.5000,\"held_bytes\":2000000,"
             + "\"latency_1_ms\":{\"packets\":3,\"p50_ns\":1,\"p99_ns\":2,\"p999_ns\":3,\"max_ns\":4},"
             + "\"latency_paced\":{\"packets\":2,\"p50_ns\":5000000,\"p99_ns\":6,\"p999_ns\":7,\"max_ns\":8},"
             + "\"latency_paced_work\":{\"packets\":2,\"p50_ns\":9,\"p99_ns\":10,\"p999_ns\":11,\"max_ns\":12}},"
@@ -58,6 +61,16 @@ public class BenchmarkReportTest {
             + "\"max_events_per_s\":5000000.0,\"median_ns_per_event\":400.000,"
             + "\"median_cpu_ns_per_event\":100.000,\"checksum\":\"000000000000000f\","
             + "\"shares\":{\"re_centring\":0.7500,\"flow_plane\":0.2500},\"peak_heap_bytes\":3000000}}]}", dense);
+    }
+
+    @Test
+    public void plotIsAPictureAlsoOfRecordingsWithoutDensity() throws Exception {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new BenchmarkReport(MACHINE, List.of(figures(), figures())).plot(out);
+        assertEquals(1440, ImageIO.read(new ByteArrayInputStream(out.toByteArray())).getWidth());
+        out.reset();
+        new BenchmarkReport(MACHINE, List.of()).plot(out);
+        assertEquals(1440, ImageIO.read(new ByteArrayInputStream(out.toByteArray())).getWidth());
     }
 
     @Test
@@ -79,6 +92,7 @@ public class BenchmarkReportTest {
             + "  1 ms of the recording                  3     0.000     0.000     0.000     0.000\n"
             + "  1000 events, one each ms               2     5.000     0.000     0.000     0.000\n"
             + "  of which worked on                     2     0.000     0.000     0.000     0.000\n"
+            + "  density        13 events with flow while what they show travels 1 px\n"
             + "  memory         1.500 bytes allocated per event, engine holds 2.0 MB, "
             + "peak heap of a whole run 3.0 MB\n",
             BenchmarkReport.text(figures()));

@@ -4,7 +4,10 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.recording.RecordingOptions;
 import java.io.File;
@@ -65,11 +68,34 @@ public class BenchmarkTest {
     }
 
     @Test
+    public void densityIsEventsWithFlowOverTheWayThatTheyGoInTheTimeOfTheRecording() {
+        // three events in half a second; of the two with flow one goes 3 and one 5 px/s, so 2 px: one event a px
+        EventBatch batch = new EventBatch(3);
+        FlowOutput flow = new FlowOutput(3);
+        for (int i = 0; i < 3; i++) {
+            batch.add(i * 250_000L, i, 0, 1);
+        }
+        flow.segment[0] = 1;
+        flow.vxPxPerS[0] = 3;
+        flow.segment[2] = 1;
+        flow.vxPxPerS[2] = -3;
+        flow.vyPxPerS[2] = 4;
+        EventsInMemory events = new EventsInMemory(new SensorSize(3, 1), List.of(batch), 3);
+        assertEquals(1, Benchmark.eventsPerPx(events, List.of(flow)), 1e-12);
+        assertEquals(0, Benchmark.eventsPerPx(events, List.of(new FlowOutput(3))), 0);
+    }
+
+    @Test
     public void builtInScenesHaveEventsInEveryFile() throws Exception {
         List<String> names = BuiltInScenes.names();
         assertEquals(List.of("hexagon (simulated, 240x180)", "hexagon (simulated, 1280x720)",
             "sixteen (simulated, 240x180)", "three-crossing (simulated, 240x180)", "four-bars (simulated, 240x180)",
-            "noise of 5 Hz/px (simulated, 346x260)"), names);
+            "noise of 5 Hz/px (simulated, 346x260)", "textured-pan of 0.35 million/s (simulated, 240x180)",
+            "textured-pan of 1 million/s (simulated, 240x180)", "textured-pan of 5 million/s (simulated, 240x180)",
+            "textured-pan of 0.35 million/s (simulated, 346x260)", "textured-pan of 1 million/s (simulated, 346x260)",
+            "textured-pan of 5 million/s (simulated, 346x260)", "faint textured-pan (simulated, 346x260)",
+            "strong textured-pan (simulated, 346x260)", "textured-pan of 10 million/s (simulated, 1280x720)",
+            "textured-pan of 50 million/s (simulated, 1280x720)"), names);
         assertTrue(BuiltInScenes.film(names.get(5), folder.getRoot().toPath()).file().toFile().length() > 0);
     }
 }
