@@ -170,11 +170,10 @@ final class Measurement {
     private int load(Motion motion, LiveEvents live, double radius, MetricFit fit) {
         fit.clear();
         int want = sample(live.size());
-        int left = live.size() - want;
         int shared = 0;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
-            int i = live.index(k + left * (k * STRETCHES / want) / (STRETCHES - 1));
+            int i = live.index(sampled(k, want, live.size()));
             if (live.claim[i] != Claim.OWN) {
                 shared += live.claim[i] == Claim.SHARED ? 1 : 0;
                 continue;
@@ -186,6 +185,11 @@ final class Measurement {
                 (float) (x - motion.centreX), (float) (y - motion.centreY), live.sign[i]);
         }
         return shared;
+    }
+
+    /** Number of the k-th event of a sample of so many events, in stretches from the first to the last. */
+    static int sampled(int k, int want, int size) {
+        return k + (size - want) * (k * STRETCHES / want) / (STRETCHES - 1);
     }
 
     private void improve(Motion motion, LiveEvents live, double half, double radius, MetricFit fit, double crossing) {

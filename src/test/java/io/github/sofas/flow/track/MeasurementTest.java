@@ -6,7 +6,11 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.fit.MotionLoss;
+import io.github.sofas.flow.fit.VelocityTop;
 import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import org.junit.Test;
 
@@ -209,5 +213,101 @@ public class MeasurementTest {
         measure();
         assertEquals(100, motion.vx, 0);
         assertEquals(0, measurement.loss().metric, 0);
+    }
+
+    @Test
+    public void sampleIsFourStretchesFromTheFirstEventToTheLast() {
+        List<Integer> numbers = new ArrayList<>();
+        for (int k = 0; k < 8; k++) {
+            numbers.add(Measurement.sampled(k, 8, 20));
+        }
+        // 12 left out, in three gaps of 4
+        assertEquals(List.of(0, 1, 6, 7, 12, 13, 18, 19), numbers);
+        // where all are wanted each is taken once
+        for (int k = 0; k < 10; k++) {
+            assertEquals(k, Measurement.sampled(k, 10, 10));
+        }
+    }
+
+    @Test
+    public void quarterOfTheEventsIsMeasuredWhereTheyMeetOften() {
+        start(400);
+        for (int i = 0; i < 12_000; i++) {
+            live.add(30 + i / 2_400, 40 + i % 20, nowUs + i, 1, Claim.OWN, 0);
+        }
+        nowUs += 12_000;
+        measure();
+        assertEquals("all, as nothing is known yet", 12_000, fit.size());
+        measure();
+        assertEquals(3_000, fit.size());
+    }
+
+    @Test
+    public void weaklyKnownDirectionTakesAPartOfTheStep() {
+        // one row of the edge fires much more often than the others: what is known of the velocity along it
+        start(100);
+        for (int column = 30; column < 35; column++) {
+            edge(100);
+            for (int i = 0; i < 12; i++) {
+                live.add(column, 50, nowUs - 1, 1, Claim.OWN, 0);
+            }
+        }
+        measure();
+        motion.vx = 95;
+        motion.vy = 10;
+        measure();
+        // the same fit again, of the events as they were projected, and what it knows
+        VelocityTop top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
+        assertFalse(top.isFlat());
+        MotionLoss loss = measurement.loss();
+        double half = (nowUs - live.oldestUs()) * 0.5e-6;
+        double stiffness = 0.002 * loss.metric * half * half;
+        // (L + S)^-1 L step, the step of the fit
+        double movedX = motion.vx - 95;
+        double movedY = motion.vy - 10;
+        assertEquals(loss.xx * top.stepX() + loss.xy * top.stepY(),
+            (loss.xx + stiffness) * movedX + loss.xy * movedY, 1e-9 * loss.xx);
+        assertEquals(loss.xy * top.stepX() + loss.yy * top.stepY(),
+            loss.xy * movedX + (loss.yy + stiffness) * movedY, 1e-9 * loss.xx);
+        assertTrue(movedY / top.stepY() < movedX / top.stepX());
+    }
+
+    /** Events of another's contour, a third of all. */
+    private void cross() {
+        for (int i = 0; i < live.size() / 2; i++) {
+            live.add(20, 30, nowUs - 1, 1, Claim.SHARED, 0);
+        }
+    }
+
+    @Test
+    public void changeOfTheMotionIsHeldWhileAnotherCrosses() {
+        start(100);
+        for (int i = 0; i < 5; i++) {
+            edge(100);
+        }
+        for (int i = 0; i < 4; i++) {
+            measure();
+        }
+        motion.ax = 50;
+        cross();
+        measure();
+        assertEquals(0.8 * 50, motion.ax, 1e-9);
+    }
+
+    @Test
+    public void everyFourthMeasurementAsksAllNineProjections() {
+        start(100);
+        for (int i = 0; i < 5; i++) {
+            edge(100);
+        }
+        // while another crosses nothing but the velocity is measured
+        cross();
+        List<Long> metrics = new ArrayList<>();
+        for (int i = 0; i < 9; i++) {
+            long before = fit.votes();
+            measure();
+            metrics.add((fit.votes() - before) / (2L * fit.size()));
+        }
+        assertEquals(List.of(9L, 9L, 9L, 5L, 9L, 5L, 5L, 5L, 9L), metrics);
     }
 }

@@ -174,4 +174,92 @@ public class TrackPlaneTest {
         assertEquals(ROWS, plane.segment(Segment.Fate.ALIVE, 0).events());
         assertEquals(0, plane.remembered(33, 45, nowUs + 1));
     }
+
+    /** Goes on with some of its rows only. */
+    private State goOnWith(int rows, int columns) {
+        State state = null;
+        for (int c = 0; c < columns; c++) {
+            for (int y = 0; y < rows; y++) {
+                plane.take(column, 30 + y, nowUs, 1, Claim.OWN, fit);
+            }
+            column++;
+            nowUs += COLUMN_US;
+            state = plane.update(nowUs);
+        }
+        return state;
+    }
+
+    @Test
+    public void structureThatGetsLessThanAThirdOfItsEventsIsStarved() {
+        // 15 rows of 30 are more than the share of 0.3, 7 are less: enough live events to measure, 40 and more
+        start(20);
+        goOn(10);
+        assertEquals(State.TRACKED, goOnWith(15, 16));
+        start(20);
+        goOn(10);
+        assertEquals(State.WAITED_FOR, goOnWith(7, 16));
+    }
+
+    @Test
+    public void motionOfAStarvedStructureIsHeld() {
+        start(20);
+        goOn(10);
+        assertEquals(State.WAITED_FOR, goOnWith(7, 16));
+        long votes = fit.votes();
+        plane.recentre(fit, nowUs);
+        assertEquals(votes, fit.votes());
+        // and measured again as soon as it gets its events
+        goOn(16);
+        assertTrue(fit.votes() > votes);
+    }
+
+    @Test
+    public void fewEventsAreMeasuredWhenTheyWouldWaitLong() {
+        start(20);
+        goOn(10);
+        plane.recentre(fit, nowUs);
+        plane.take(column, 45, nowUs, 1, Claim.OWN, fit);
+        long votes = fit.votes();
+        plane.measureIfLate(fit, nowUs + 20_000);
+        assertEquals(votes, fit.votes());
+        plane.measureIfLate(fit, nowUs + 20_001);
+        assertTrue(fit.votes() > votes);
+        // nothing new since
+        votes = fit.votes();
+        plane.measureIfLate(fit, nowUs + 60_000);
+        assertEquals(votes, fit.votes());
+    }
+
+    @Test
+    public void contourIsDrawnAnewWhereTheMotionWasCorrected() {
+        // found at 60 px/s, which leaves the three columns 0.8 px apart in its frame
+        nowUs = 1_000_000;
+        plane.start(1, nowUs + 2 * COLUMN_US, 60, 0);
+        for (int c = 0; c < 6; c++) {
+            for (int y = 0; y < ROWS; y++) {
+                plane.addPast(20 + c, 30 + y, nowUs, 1);
+            }
+            nowUs += COLUMN_US;
+        }
+        plane.recentre(fit, nowUs);
+        assertEquals(100, plane.motion().vx, 10);
+        // all within a cell of the next column: 18 events, faded to half to a whole by their age
+        assertTrue(plane.support(26, 45, nowUs, 1) > 18 * 32);
+        assertEquals(0, plane.support(23, 45, nowUs, 1));
+    }
+
+    @Test
+    public void placeWhereAStructureIsOnlyRememberedIsNotRememberedAnew() {
+        start(20);
+        goOn(5);
+        // beside its end: taken as a remembered one, it may be noise
+        for (int i = 0; i < 16; i++) {
+            plane.take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.REMEMBERED, fit);
+        }
+        assertEquals(0, plane.remembered(column, 71, nowUs));
+        for (int i = 0; i < 16; i++) {
+            plane.take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.OWN, fit);
+        }
+        assertTrue(plane.remembered(column, 71, nowUs) > 0);
+    }
 }

@@ -1,0 +1,261 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Test;
+
+/**
+ * Who gets an event, and which planes are one: upright edges of 30 rows that enter a column at a time. At 100 px/s the
+ * lifetime of 5 px is 50 ms.
+ */
+public class TrackPlaneStackTest {
+    private static final SensorSize SENSOR = new SensorSize(128, 96);
+    private static final SofasParameters.Track P = SofasParameters.defaults().track();
+    private static final int ROWS = 30;
+    private static final int COLUMNS = 5;
+
+    private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
+    private final List<Segment> ended = new ArrayList<>();
+    private final TrackPlaneStack stack = new TrackPlaneStack(SENSOR, P, fit, ended::add);
+    private final FlowOutput output = new FlowOutput(1);
+    private long nowUs = 1_000_000;
+
+    /** An edge that has come to a column by now, each pixel of which fired some times as the edge entered it. */
+    private void begin(int column, int row, double vx, int times) {
+        TrackPlane plane = stack.create(nowUs, vx, 0);
+        for (int c = COLUMNS - 1; c >= 0; c--) {
+            long timeUs = nowUs - (long) (c * 1e6 / Math.abs(vx));
+            for (int i = 0; i < times * ROWS; i++) {
+                plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs, 1);
+            }
+        }
+        stack.begin(plane, nowUs);
+    }
+
+    /** The segment that an ON event of now is given. */
+    private int label(int x, int y) {
+        output.segment[0] = 0;
+        boolean labelled = stack.label(x, y, nowUs, 1, output, 0);
+        assertEquals(labelled, output.segment[0] != 0);
+        return output.segment[0];
+    }
+
+    /** An edge goes on for some columns, each of which it enters after 10 ms. */
+    private int goOn(int column, int row, int columns) {
+        int segment = 0;
+        for (int c = 1; c <= columns; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                segment = label(column + c, row + y);
+            }
+            stack.check(nowUs);
+        }
+        return segment;
+    }
+
+    private List<Integer> ids() {
+        return stack.segments().stream().map(Segment::id).toList();
+    }
+
+    @Test
+    public void eventOnAContourGetsTheVelocityOfItsPlane() {
+        begin(40, 30, 100, 1);
+        nowUs += 10_000;
+        assertEquals(1, label(41, 45));
+        assertEquals(100, output.vxPxPerS[0], 3);
+        assertEquals(0, output.vyPxPerS[0], 5);
+        assertEquals(1, stack.segments().get(0).events());
+    }
+
+    @Test
+    public void eventOnNoContourIsLeftAlone() {
+        begin(40, 30, 100, 1);
+        assertEquals(0, label(60, 45));
+        assertEquals(0, stack.segments().get(0).events());
+    }
+
+    @Test
+    public void eventGoesToThePlaneThatPredictsItAtTheGreaterRate() {
+        // the slow edge has twice the support, gathered in five times the time
+        begin(40, 30, 20, 2);
+        begin(40, 30, 100, 1);
+        assertEquals(2, label(40, 45));
+        assertEquals(100, output.vxPxPerS[0], 3);
+    }
+
+    /**
+     * Events that the edge at column 40 is measured from when it enters two more: with the 49th event a quarter of the
+     * 199 that are held is new. Of its past there are the columns of the last 50 ms, 37 to 40.
+     */
+    private int measured() {
+        for (int c = 1; c <= 2; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                label(40 + c, 30 + y);
+            }
+        }
+        return fit.size();
+    }
+
+    @Test
+    public void eventThatOnePlaneClaimsMeasuresIt() {
+        begin(40, 30, 100, 1);
+        assertEquals(4 * ROWS + 49, measured());
+    }
+
+    @Test
+    public void eventThatTwoPlanesClaimMeasuresNeither() {
+        // the same edge once more: what comes from now on lies on both
+        begin(40, 30, 100, 1);
+        begin(40, 30, 100, 1);
+        assertEquals(4 * ROWS, measured());
+    }
+
+    @Test
+    public void planeThatWasHiddenGetsItsEventsBackWhereItIsRemembered() {
+        begin(20, 30, 100, 1);
+        assertEquals(1, goOn(20, 30, 15));
+        // hidden for 200 ms, in which its contour fades
+        for (int i = 0; i < 40; i++) {
+            nowUs += 5_000;
+            stack.check(nowUs);
+        }
+        assertEquals(List.of(1), ids());
+        assertEquals(1, label(55, 45));
+        assertEquals("not beside it", 0, label(70, 45));
+    }
+
+    @Test
+    public void planeThatGetsNoEventsIsRemoved() {
+        begin(40, 30, 100, 1);
+        for (int i = 0; i < 40; i++) {
+            nowUs += 5_000;
+            stack.check(nowUs);
+        }
+        assertEquals(List.of(), ids());
+        assertEquals(1, ended.size());
+        assertEquals(Segment.Fate.REMOVED, ended.get(0).fate());
+    }
+
+    @Test
+    public void planesAreLookedAfterEachFiveMilliseconds() {
+        stack.check(nowUs);
+        begin(40, 30, 100, 1);
+        begin(40, 62, 100, 1);
+        stack.check(nowUs + 4_999);
+        assertEquals(List.of(1, 2), ids());
+        stack.check(nowUs + 5_000);
+        assertEquals(List.of(1), ids());
+    }
+
+    @Test
+    public void planesThatMoveAlikeSideBySideAreOneUnderTheOlderId() {
+        begin(40, 10, 100, 1);
+        begin(40, 42, 100, 1);
+        stack.check(nowUs);
+        assertEquals(List.of(1), ids());
+        Segment merged = ended.get(0);
+        assertEquals(2, merged.id());
+        assertEquals(Segment.Fate.MERGED, merged.fate());
+        assertEquals(1, merged.mergedInto());
+        // it has the contours of both
+        nowUs += 10_000;
+        assertEquals(1, label(41, 15));
+        assertEquals(1, label(41, 65));
+    }
+
+    @Test
+    public void mergedPlaneRemembersWhereEitherWasSeen() {
+        begin(20, 10, 100, 1);
+        begin(20, 42, 100, 1);
+        stack.check(nowUs);
+        assertEquals(1, goOn(20, 10, 8));
+        // hidden for 200 ms, in which the contour fades: the lower half was last seen before they merged
+        for (int i = 0; i < 40; i++) {
+            nowUs += 5_000;
+            stack.check(nowUs);
+        }
+        assertEquals(1, label(48, 57));
+    }
+
+    @Test
+    public void olderPlaneTakesOverWhereverItStandsInTheStack() {
+        // the first ends, and the last takes its place before the second
+        begin(110, 60, 100, 1);
+        begin(20, 5, 100, 1);
+        begin(20, 37, 100, 1);
+        for (int c = 1; c <= 3; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                label(20 + c, 5 + y);
+                label(20 + c, 37 + y);
+            }
+        }
+        for (int i = 0; i < 30 && ended.isEmpty(); i++) {
+            nowUs += 1_000;
+            stack.check(nowUs);
+        }
+        assertTrue(ended.toString(), ended.stream().anyMatch(each -> each.id() == 3 && each.mergedInto() == 2));
+    }
+
+    @Test
+    public void planesThatMoveApartStayTwo() {
+        begin(60, 10, 100, 1);
+        begin(60, 42, -100, 1);
+        stack.check(nowUs);
+        assertEquals(List.of(1, 2), ids());
+    }
+
+    @Test
+    public void planesThatMoveAlikeFarFromEachOtherStayTwo() {
+        // boxes 29 px long may lie 0.8 of that apart, and no more
+        begin(40, 30, 100, 1);
+        begin(64, 30, 100, 1);
+        stack.check(nowUs);
+        assertEquals(List.of(1, 2), ids());
+    }
+
+    @Test
+    public void stackIsFullWithAsManyPlanesAsAreAllowed() {
+        stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 2).track());
+        begin(20, 10, 100, 1);
+        assertFalse(stack.isFull());
+        begin(60, 10, -100, 1);
+        assertTrue(stack.isFull());
+        stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 1).track());
+        assertEquals(List.of(1), ids());
+        assertEquals(2, ended.get(0).id());
+        assertTrue(stack.isFull());
+    }
+
+    @Test
+    public void contourIsThatOfTheOneThatIsAskedFor() {
+        begin(40, 10, 100, 1);
+        begin(80, 50, -100, 1);
+        List<Integer> columns = new ArrayList<>();
+        stack.contour(2, nowUs, (x, y) -> columns.add(x));
+        assertFalse(columns.isEmpty());
+        columns.forEach(x -> assertEquals(80, x, 1));
+        stack.contour(3, nowUs, (x, y) -> assertEquals("none has this id", 0, x));
+    }
+
+    @Test
+    public void idsBeginAnewAfterReset() {
+        begin(40, 30, 100, 1);
+        stack.reset();
+        assertEquals(List.of(), ids());
+        assertEquals(Segment.Fate.REMOVED, ended.get(0).fate());
+        assertEquals(0, label(40, 45));
+        begin(40, 30, 100, 1);
+        assertEquals(List.of(1), ids());
+    }
+}
