@@ -5,6 +5,7 @@ import io.github.sofas.export.TableColumn.Type;
 import io.github.sofas.flow.FlowOutput;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -91,6 +92,16 @@ public final class TrackTable implements Closeable {
     public static TrackTable open(TableFormat format, ResultFiles results, Path file, Map<String, String> metadata)
             throws IOException {
         return new TrackTable(format.open(results, file, COLUMNS, metadata));
+    }
+
+    /**
+     * Starts a table as CSV.
+     *
+     * @param out gets the text; closed by {@link #close()}
+     * @return the table
+     */
+    public static TrackTable csv(OutputStream out) {
+        return new TrackTable(new CsvTable(out, COLUMNS));
     }
 
     /**

@@ -13,4 +13,8 @@ public class BasicEvent {
     public boolean isFilteredOut() {
         throw new UnsupportedOperationException();
     }
+
+    public void copyFrom(BasicEvent e) {
+        throw new UnsupportedOperationException();
+    }
 }

@@ -15,4 +15,10 @@ public class BasicEvent {
     public boolean isFilteredOut() {
         return filteredOut;
     }
+
+    public void copyFrom(BasicEvent e) {
+        timestamp = e.timestamp;
+        x = e.x;
+        y = e.y;
+    }
 }

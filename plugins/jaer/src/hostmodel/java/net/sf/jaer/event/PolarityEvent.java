@@ -7,4 +7,10 @@ public class PolarityEvent extends TypedEvent {
     public enum Polarity {
         On, Off
     }
+
+    @Override
+    public void copyFrom(BasicEvent e) {
+        super.copyFrom(e);
+        polarity = ((PolarityEvent) e).polarity;
+    }
 }

@@ -1,7 +1,5 @@
 package io.github.sofas.jaer;
 
-import io.github.sofas.event.EventBatch;
-import io.github.sofas.flow.FlowOutput;
 import java.util.Locale;
 
 /** What the filter did since its last reset. */
@@ -11,13 +9,13 @@ final class Counters {
     private long readNs;
     private long engineNs;
 
-    void add(EventBatch batch, FlowOutput flow, long packetReadNs, long packetEngineNs) {
-        events += batch.size();
-        for (int i = 0; i < batch.size(); i++) {
-            withFlow += flow.segment[i] == 0 ? 0 : 1;
+    void add(LabelledPacket packet) {
+        events += packet.batch().size();
+        for (int i = 0; i < packet.batch().size(); i++) {
+            withFlow += packet.flow().segment[i] == 0 ? 0 : 1;
         }
-        readNs += packetReadNs;
-        engineNs += packetEngineNs;
+        readNs += packet.readNs();
+        engineNs += packet.engineNs();
     }
 
     void reset() {

@@ -8,12 +8,13 @@ import net.sf.jaer.chip.AEChip;
 public abstract class DrawingProperties extends GeneratedProperties {
     private static final String DRAWING = "3: SOFAS: what is drawn";
 
-    private FlowDrawing.Colouring eventColours;
-    private boolean segmentVelocityShown;
-    private boolean segmentLabelsShown;
-    private boolean contoursShown;
-    private boolean metricShown;
-    private boolean legendShown;
+    private volatile FlowDrawing.Colouring eventColours;
+    private volatile boolean segmentVelocityShown;
+    private volatile boolean segmentLabelsShown;
+    private volatile boolean contoursShown;
+    private volatile boolean metricShown;
+    private volatile boolean legendShown;
+    private volatile boolean engineAwaited;
 
     /** Reads the preferences. */
     protected DrawingProperties(AEChip chip) {
@@ -24,6 +25,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         contoursShown = getBoolean("contoursShown", true);
         metricShown = getBoolean("metricShown", false);
         legendShown = getBoolean("legendShown", true);
+        engineAwaited = getBoolean("engineAwaited", false);
         setPropertyTooltip(DRAWING, "eventColours", "<html>what the events since the last picture are coloured by:<br>"
             + "SEGMENT, FLOW (as the colour wheel) or NONE; default SEGMENT");
         setPropertyTooltip(DRAWING, "segmentVelocityShown", "an arrow for each track plane; default on");
@@ -34,6 +36,8 @@ public abstract class DrawingProperties extends GeneratedProperties {
             "<html>the flow plane's metrics while it searches, brightest at the greatest:<br>directions around,"
             + " speeds outwards (PAPER: angles along x and y); default off");
         setPropertyTooltip(DRAWING, "legendShown", "counts and what the colours mean; default on");
+        setPropertyTooltip(DRAWING, "engineAwaited", "<html>whether a picture waits for the flow of its events;<br>else"
+            + " flow may be up to " + Engine.MOST_BEHIND + " packets behind, which the legend says; default off");
     }
 
     /** Whether colours of what is drawn are directions, which the colour wheel explains. */
@@ -57,6 +61,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         setContoursShown(true);
         setMetricShown(false);
         setLegendShown(true);
+        setEngineAwaited(false);
     }
 
     /** What events are coloured by. */
@@ -139,6 +144,18 @@ public abstract class DrawingProperties extends GeneratedProperties {
         boolean old = legendShown;
         legendShown = value;
         shown("legendShown", old, value);
+    }
+
+    /** Whether the viewer waits for the engine. */
+    public boolean isEngineAwaited() {
+        return engineAwaited;
+    }
+
+    /** Sets {@link #isEngineAwaited}. */
+    public void setEngineAwaited(boolean value) {
+        boolean old = engineAwaited;
+        engineAwaited = value;
+        shown("engineAwaited", old, value);
     }
 
     private void shown(String name, boolean old, boolean value) {

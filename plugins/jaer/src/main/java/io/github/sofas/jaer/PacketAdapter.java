@@ -1,9 +1,6 @@
 package io.github.sofas.jaer;
 
-import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.FlowOutput;
-import java.util.Arrays;
 import java.util.Iterator;
 import net.sf.jaer.event.ApsDvsEvent;
 import net.sf.jaer.event.ApsDvsEventPacket;
@@ -12,8 +9,8 @@ import net.sf.jaer.event.EventPacket;
 import net.sf.jaer.event.PolarityEvent;
 
 /**
- * The polarity events of a packet of jAER as a batch for the engine: y turned, time unwrapped, what is no event of the
- * sensor left out. Arrays grow to the largest packet and are used again.
+ * Reads the polarity events of a packet of jAER for the engine: y turned, time unwrapped, what is no event of the
+ * sensor left out.
  */
 final class PacketAdapter {
     /** A step back by more than this is no disorder but a clock set to zero, or a loop of a recording. */
@@ -23,16 +20,13 @@ final class PacketAdapter {
     /** Time that passes for the engine when a clock was set: no event lives so long. */
     private static final long FORGOTTEN_US = 120_000_000;
 
-    private EventBatch batch = new EventBatch(4096);
-    private FlowOutput output = new FlowOutput(4096);
-    private PolarityEvent[] events = new PolarityEvent[4096];
     private int lastTimestamp;
     private long timeUs;
     private boolean started;
 
-    /** Takes the events of a packet; those of the one before are gone. */
-    void read(EventPacket<?> packet, SensorSize sensor) {
-        batch.clear();
+    /** Takes the events of a packet. */
+    void read(EventPacket<?> packet, SensorSize sensor, LabelledPacket into) {
+        into.clear();
         Iterator<?> iterator = packet.iterator();
         while (iterator.hasNext()) {
             Object next = iterator.next();
@@ -40,27 +34,18 @@ final class PacketAdapter {
                 PolarityEvent event = (PolarityEvent) next;
                 int y = sensor.height() - 1 - event.y;
                 if (!event.isSpecial() && sensor.contains(event.x, y)) {
-                    add(event, y);
+                    into.add(event, y);
                 }
             }
         }
-        for (int i = 0; i < batch.size(); i++) {
-            batch.timeUs[i] = unwrap(i);
+        for (int i = 0; i < into.batch().size(); i++) {
+            into.batch().timeUs[i] = unwrap(into, i);
         }
-    }
-
-    private void add(PolarityEvent event, int y) {
-        int n = batch.size();
-        if (n == batch.capacity()) {
-            grow();
-        }
-        events[n] = event;
-        batch.add(event.timestamp, event.x, y, event.polarity == PolarityEvent.Polarity.On ? 1 : -1);
     }
 
     /** Time of an event for the engine. */
-    private long unwrap(int i) {
-        int timestamp = events[i].timestamp;
+    private long unwrap(LabelledPacket packet, int i) {
+        int timestamp = packet.event(i).timestamp;
         if (!started) {
             started = true;
             timeUs = timestamp;
@@ -68,7 +53,7 @@ final class PacketAdapter {
             // the difference is right across the wrap from 2^31 - 1 to -2^31
             int step = timestamp - lastTimestamp;
             if (step < -DISORDER_US) {
-                if (!othersGoOnFrom(i)) {
+                if (!othersGoOnFrom(packet, i)) {
                     return timeUs + step;
                 }
                 timeUs += FORGOTTEN_US;
@@ -81,39 +66,15 @@ final class PacketAdapter {
     }
 
     /** Whether the events behind one that steps back lie nearer to it than to the one before. */
-    private boolean othersGoOnFrom(int i) {
-        int asked = Math.min(WITNESSES, batch.size() - 1 - i);
+    private boolean othersGoOnFrom(LabelledPacket packet, int i) {
+        int asked = Math.min(WITNESSES, packet.batch().size() - 1 - i);
+        int from = packet.event(i).timestamp;
         int goOn = 0;
         for (int k = i + 1; k <= i + asked; k++) {
-            int timestamp = events[k].timestamp;
-            goOn += Math.abs(timestamp - events[i].timestamp) < Math.abs(timestamp - lastTimestamp) ? 1 : 0;
+            int timestamp = packet.event(k).timestamp;
+            goOn += Math.abs(timestamp - from) < Math.abs(timestamp - lastTimestamp) ? 1 : 0;
         }
         return 2 * goOn >= asked;
-    }
-
-    private void grow() {
-        EventBatch larger = new EventBatch(2 * batch.capacity());
-        for (int i = 0; i < batch.size(); i++) {
-            larger.add(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
-        }
-        batch = larger;
-        output = new FlowOutput(larger.capacity());
-        events = Arrays.copyOf(events, larger.capacity());
-    }
-
-    /** The events, in the axes of the engine. */
-    EventBatch batch() {
-        return batch;
-    }
-
-    /** Where the engine puts their flow. */
-    FlowOutput output() {
-        return output;
-    }
-
-    /** An event as jAER has it; until the next packet. */
-    PolarityEvent event(int i) {
-        return events[i];
     }
 
     /** All objects of a packet, with the samples of an inertial sensor where it has them. */
@@ -124,7 +85,6 @@ final class PacketAdapter {
 
     /** Begins anew: the next event's time is taken as it is. */
     void reset() {
-        batch.clear();
         started = false;
     }
 }

@@ -5,19 +5,20 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Segment;
-import io.github.sofas.flow.Sofas;
 import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.beans.PropertyChangeEvent;
 import java.io.File;
-import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
-import javax.swing.JFileChooser;
+import java.util.concurrent.atomic.AtomicBoolean;
 import net.sf.jaer.Description;
 import net.sf.jaer.DevelopmentStatus;
+import net.sf.jaer.Help;
+import net.sf.jaer.Preferred;
 import net.sf.jaer.chip.AEChip;
 import net.sf.jaer.event.ApsDvsEvent;
 import net.sf.jaer.event.EventPacket;
@@ -28,10 +29,12 @@ import net.sf.jaer.graphics.AEViewer;
  * SOFAS in jAER, of the family of motion-flow filters: jAER's own statistics, ground truth, colour wheel and output
  * events serve it as they serve Lucas-Kanade.
  *
- * <p>Packets come on the viewer's thread, drawing and buttons on that of the windows; both take the filter's monitor,
- * and neither waits for the other while it has it. Parameters do not take it.
+ * <p>Packets come on the viewer's thread, drawing and buttons on that of the windows; both take the filter's monitor.
+ * The engine labels on a thread of its own, which takes no monitor of the filter. Parameters do not take it either.
  */
-@Description("SOFAS: simultaneous optical flow and segmentation (Stoffregen and Kleeman 2017)")
+@Description("SOFAS: optical flow (motion, velocity) of every event, and segmentation and tracking of what moves"
+    + " (simultaneous optical flow and segmentation, Stoffregen and Kleeman 2017)")
+@Help(SofasHelp.TEXT)
 @DevelopmentStatus(DevelopmentStatus.Status.Stable)
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
 public class SofasFlow extends DrawingProperties {
@@ -40,7 +43,11 @@ public class SofasFlow extends DrawingProperties {
     private final Counters counters = new Counters();
     private final ReaderWatch watch = new ReaderWatch();
     private final ShownEvents shownEvents = new ShownEvents();
-    private volatile Sofas sofas;
+    private final Session session = new Session(log);
+    /** A picture was drawn: the engine takes down what it knows after the next packet. */
+    private final AtomicBoolean snapshotWanted = new AtomicBoolean(true);
+    private volatile Engine engine;
+    private LabelledPacket last = new LabelledPacket();
     private Snapshot snapshot;
 
     /** Is called by jAER. */
@@ -63,14 +70,13 @@ public class SofasFlow extends DrawingProperties {
             putBoolean("measureAccuracy", false);
             measureAccuracy = false;
         }
-        // times and gaps are the engine's business, which takes them as they are
-        hideProperty("refractoryPeriodUs");
-        hideProperty("timestampGapThresholdUs");
-        hideProperty("warnNonmonotonicTimestamps");
         setPropertyTooltip("reset", "forgets all events and segments");
         setPropertyTooltip("setDefaults", "brings all values of the preset back, and what is shown at first");
         setPropertyTooltip("copyStatistics", "puts what PrintStatistics logs of this filter into the clipboard");
-        setPropertyTooltip("writeCsv", "writes the flow of the last packet and the living segments to two CSV files");
+        setPropertyTooltip("writeCsv", "writes the flow of the last packet and the living segments to CSV files");
+        setPropertyTooltip("writeSession",
+            "<html>writes flow, segments and tracks to CSV files until it is switched off,<br>or the recording"
+            + " is rewound; the files are those of ./sofas run");
     }
 
     @Override
@@ -86,17 +92,24 @@ public class SofasFlow extends DrawingProperties {
         }
         // starts jAER's clock of processing
         setupFilter(in);
+        boolean together = isTogether();
+        handOver(in, null, false);
+        LabelledPacket packet = engine.take();
         long start = System.nanoTime();
-        adapter.read((EventPacket<?>) in, sofas.sensor());
-        long read = System.nanoTime();
-        sofas.process(adapter.batch(), adapter.output());
-        snapshot = Snapshot.of(sofas, isContoursShown(), isMetricShown());
-        shownEvents.add(adapter.batch(), adapter.output());
-        long labelled = System.nanoTime();
-        emit((EventPacket<?>) in);
+        adapter.read((EventPacket<?>) in, engine.sofas().sensor(), packet);
+        if (!together) {
+            packet.keepEvents();
+        }
+        packet.setReadNs(System.nanoTime() - start);
+        engine.submit(packet);
+        handOver(in, packet, together);
         getMotionFlowStatistics().updatePacket(countIn, countOut, ts);
-        counters.add(adapter.batch(), adapter.output(), read - start, labelled - read);
         return isDisplayRawInput() ? in : dirPacket;
+    }
+
+    /** Whether flow must be that of the same packet: for other filters, and for what jAER measures. */
+    private boolean isTogether() {
+        return isEngineAwaited() || !isDisplayRawInput() || measureAccuracy || isMeasureProcessingTime();
     }
 
     /** Whether there is an engine for the chip's sensor; a chip may get its size, and another, at any time. */
@@ -106,26 +119,57 @@ public class SofasFlow extends DrawingProperties {
         if (width < 1 || height < 1 || width > SensorSize.MAX_WIDTH || height > SensorSize.MAX_HEIGHT) {
             return false;
         }
-        if (sofas == null || sofas.sensor().width() != width || sofas.sensor().height() != height) {
-            boolean first = sofas == null;
-            sofas = new Sofas(new SensorSize(width, height), parameters());
+        SensorSize sensor = engine == null ? null : engine.sofas().sensor();
+        if (sensor == null || sensor.width() != width || sensor.height() != height) {
+            if (engine != null) {
+                endSession();
+                engine.await();
+            }
+            engine = new Engine(new SensorSize(width, height), parameters(), session::add, this::labelled);
             // a parameter that changed meanwhile
-            sofas.setParameters(parameters());
-            adapter.reset();
-            if (!first) {
+            engine.sofas().setParameters(parameters());
+            if (sensor != null) {
                 initFilter();
             }
         }
         return true;
     }
 
+    /** On the engine's thread. */
+    private void labelled(LabelledPacket packet) {
+        if (snapshotWanted.compareAndSet(true, false)) {
+            packet.setSnapshot(Snapshot.of(engine.sofas(), isContoursShown(), isMetricShown()));
+        }
+        session.add(packet);
+    }
+
+    /**
+     * Hands what is labelled to jAER.
+     *
+     * @param now the packet that was read from {@code in}; null where none was
+     */
+    private void handOver(EventPacket<?> in, LabelledPacket now, boolean wait) {
+        for (LabelledPacket done = engine.next(wait); done != null; done = engine.next(wait)) {
+            emit(done, measureAccuracy && done == now ? PacketAdapter.all(in) : null);
+            counters.add(done);
+            shownEvents.add(done.batch(), done.flow());
+            if (done.snapshot() != null) {
+                snapshot = done.snapshot();
+            }
+            engine.giveBack(last);
+            last = done;
+        }
+        if (session.hasFailed()) {
+            endSession();
+        }
+    }
+
     /** Hands each event with its flow to jAER's family: statistics, global motion, output events. */
-    private void emit(EventPacket<?> in) {
-        FlowOutput flow = adapter.output();
+    private void emit(LabelledPacket packet, Iterator<?> all) {
+        FlowOutput flow = packet.flow();
         int shift = getSubSampleShift();
-        Iterator<?> all = measureAccuracy ? PacketAdapter.all(in) : null;
-        for (int i = 0; i < adapter.batch().size(); i++) {
-            PolarityEvent event = adapter.event(i);
+        for (int i = 0; i < packet.batch().size(); i++) {
+            PolarityEvent event = packet.event(i);
             e = event;
             x = event.x >> shift;
             y = event.y >> shift;
@@ -163,21 +207,24 @@ public class SofasFlow extends DrawingProperties {
 
     @Override
     protected void parametersChanged() {
-        Sofas engine = sofas;
-        if (engine != null) {
-            engine.setParameters(parameters());
+        Engine now = engine;
+        if (now != null) {
+            now.sofas().setParameters(parameters());
         }
     }
 
     @Override
     public synchronized void resetFilter() {
         super.resetFilter();
+        endSession();
         adapter.reset();
         counters.reset();
         shownEvents.clear();
         snapshot = null;
-        if (sofas != null) {
-            sofas.reset();
+        snapshotWanted.set(true);
+        last.clear();
+        if (engine != null) {
+            engine.reset();
         }
     }
 
@@ -190,14 +237,14 @@ public class SofasFlow extends DrawingProperties {
         }
     }
 
-    /** The events of the last packet, in the engine's axes; from the thread that filters. */
+    /** The events that were handed over last, in the engine's axes; from the thread that filters. */
     public EventBatch lastBatch() {
-        return adapter.batch();
+        return last.batch();
     }
 
     /** Flow and segment of the events of {@link #lastBatch}. */
     public FlowOutput lastFlow() {
-        return adapter.output();
+        return last.flow();
     }
 
     /** Time that the engine took since the last reset, in ns. */
@@ -212,9 +259,10 @@ public class SofasFlow extends DrawingProperties {
         }
         super.annotate(drawable);
         if (snapshot != null) {
-            drawing.draw(drawable.getGL().getGL2(), snapshot, shownEvents, 0, this);
+            drawing.draw(drawable.getGL().getGL2(), snapshot, shownEvents, engine.behind(), this);
             shownEvents.setDrawn();
         }
+        snapshotWanted.set(true);
     }
 
     @Override
@@ -227,6 +275,7 @@ public class SofasFlow extends DrawingProperties {
     }
 
     /** Button: forgets all. */
+    @Preferred
     public synchronized void doReset() {
         resetFilter();
     }
@@ -253,27 +302,62 @@ public class SofasFlow extends DrawingProperties {
     }
 
     private List<Segment> segments() {
-        return sofas == null ? List.of() : sofas.segments();
+        return engine == null ? List.of() : engine.sofas().segments();
     }
 
-    /** Button: asks for a file, and writes the last packet's flow and the living segments beside it. */
+    /** Button: asks for a name, and writes the last packet's flow and the living segments. */
+    @Preferred
     public void doWriteCsv() {
-        // what is shown now, not what is there when a file has been chosen
-        CsvFiles files;
-        synchronized (this) {
-            files = CsvFiles.of(adapter.batch(), adapter.output(), segments());
+        Path name = chooseName();
+        if (name != null) {
+            writeCsv(name);
         }
-        JFileChooser chooser = new JFileChooser(getString("csvFile", System.getProperty("user.home")));
-        chooser.setDialogTitle("Write NAME.flow.csv and NAME.segments.csv");
-        chooser.setSelectedFile(new File(getString("csvFile", "sofas")));
-        if (chooser.showSaveDialog(null) == JFileChooser.APPROVE_OPTION) {
-            File name = chooser.getSelectedFile();
-            putString("csvFile", name.getPath());
-            try {
-                log.info(files.write(name.toPath()));
-            } catch (IOException failure) {
-                log.warning("SOFAS could not write " + name + ": " + failure);
-            }
+    }
+
+    synchronized void writeCsv(Path name) {
+        session.writeOnce(name, last, segments());
+    }
+
+    /** Toggle, on: asks for a name, and writes flow, segments and tracks from now on. */
+    @Preferred
+    public void doToggleOnWriteSession() {
+        Path name = chooseName();
+        if (name != null) {
+            beginSession(name);
         }
+    }
+
+    /** Toggle, off: ends what {@link #doToggleOnWriteSession} began. */
+    public void doToggleOffWriteSession() {
+        endSession();
+    }
+
+    synchronized void beginSession(Path name) {
+        endSession();
+        session.begin(name);
+    }
+
+    synchronized void endSession() {
+        if (session.isOn()) {
+            // with the packets that are on their way
+            finish();
+            session.end(segments());
+        }
+    }
+
+    /** Waits for the packets that are on their way. */
+    synchronized void finish() {
+        if (engine != null) {
+            engine.await();
+        }
+    }
+
+    private Path chooseName() {
+        Path name = ResultChooser.choose(null, getString("csvFile",
+            new File(System.getProperty("user.home"), "sofas").getPath()));
+        if (name != null) {
+            putString("csvFile", name.toString());
+        }
+        return name;
     }
 }

@@ -30,6 +30,7 @@ public class BeginAnewTest {
         filter = new SofasFlow(chip);
         filter.initFilter();
         filter.setFilterEnabled(true);
+        filter.setEngineAwaited(true);
     }
 
     private List<String> show() {

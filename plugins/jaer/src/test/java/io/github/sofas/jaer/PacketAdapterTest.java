@@ -18,10 +18,11 @@ public class PacketAdapterTest {
     private static final SensorSize SENSOR = new SensorSize(10, 8);
 
     private final PacketAdapter adapter = new PacketAdapter();
+    private final LabelledPacket read = new LabelledPacket();
 
     private List<String> read(EventPacket<?> packet) {
-        adapter.read(packet, SENSOR);
-        EventBatch batch = adapter.batch();
+        adapter.read(packet, SENSOR, read);
+        EventBatch batch = read.batch();
         List<String> events = new ArrayList<>();
         for (int i = 0; i < batch.size(); i++) {
             events.add(batch.timeUs[i] + " " + batch.x[i] + " " + batch.y[i] + " " + batch.polarity[i]);
@@ -125,7 +126,20 @@ public class PacketAdapterTest {
         List<String> events = read(packet);
         assertEquals(10_000, events.size());
         assertEquals("9999 9 7 1", events.get(9_999));
-        assertSame(packet.events.get(9_999), adapter.event(9_999));
+        assertSame(packet.events.get(9_999), read.event(9_999));
+    }
+
+    @Test
+    public void keptEventsOutliveThePacket() {
+        PolarityEvent event = Packets.event(5, 1, 2, Polarity.On);
+        read(Packets.of(event));
+        read.keepEvents();
+        event.timestamp = 6;
+        event.polarity = Polarity.Off;
+        assertEquals(5, read.event(0).timestamp);
+        assertEquals(1, read.event(0).x);
+        assertEquals(2, read.event(0).y);
+        assertEquals(Polarity.On, read.event(0).polarity);
     }
 
     @Test

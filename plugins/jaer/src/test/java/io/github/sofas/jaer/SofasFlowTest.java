@@ -1,6 +1,5 @@
 package io.github.sofas.jaer;
 
-import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
@@ -19,8 +18,6 @@ import java.beans.Introspector;
 import java.beans.PropertyChangeEvent;
 import java.beans.PropertyDescriptor;
 import java.lang.reflect.Method;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -34,16 +31,11 @@ import net.sf.jaer.event.EventPacket;
 import net.sf.jaer.eventprocessing.EventFilter;
 import org.junit.After;
 import org.junit.Before;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 
 /** The filter in a model of its host. */
 public class SofasFlowTest {
     private static final List<EventBatch> FILM = Packets.film();
-
-    @Rule
-    public final TemporaryFolder folder = new TemporaryFolder();
 
     private final AEChip chip = new AEChip();
     private final List<String> warnings = new ArrayList<>();
@@ -82,6 +74,7 @@ public class SofasFlowTest {
         SofasFlow filter = new SofasFlow(chip);
         filter.initFilter();
         filter.setFilterEnabled(true);
+        filter.setEngineAwaited(true);
         return filter;
     }
 
@@ -444,36 +437,5 @@ public class SofasFlowTest {
             assertFalse(setter.isAlive());
         }
         assertEquals(60, filter.getMinEvents());
-    }
-
-    @Test
-    public void csvFilesHaveTheRunnersColumns() {
-        SofasFlow filter = filter();
-        show(filter);
-        CsvFiles files = CsvFiles.of(filter.lastBatch(), filter.lastFlow(), List.of());
-        String[] flow = new String(files.flow(), java.nio.charset.StandardCharsets.UTF_8).split("\n");
-        assertEquals("t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,segment", flow[0]);
-        assertEquals(filter.lastBatch().size() + 1, flow.length);
-        // the runner's axes
-        assertArrayEquals(new String[] {String.valueOf(filter.lastBatch().timeUs[0]),
-            String.valueOf(filter.lastBatch().x[0]), String.valueOf(filter.lastBatch().y[0])},
-            List.of(flow[1].split(",")).subList(0, 3).toArray());
-    }
-
-    @Test
-    public void csvFilesLieBesideEachOtherUnderOneName() throws Exception {
-        Path name = folder.getRoot().toPath().resolve("shown");
-        Sofas sofas = new Sofas(Packets.SENSOR, SofasParameters.defaults());
-        FlowOutput flow = new FlowOutput(500);
-        EventBatch last = FILM.get(FILM.size() - 1);
-        FILM.forEach(batch -> sofas.process(batch, flow));
-        assertEquals("SOFAS wrote " + name + ".flow.csv and " + name + ".segments.csv",
-            CsvFiles.of(last, flow, sofas.segments()).write(name));
-        assertEquals(last.size() + 1, Files.readAllLines(Path.of(name + ".flow.csv")).size());
-        List<String> segments = Files.readAllLines(Path.of(name + ".segments.csv"));
-        assertEquals("segment,first_t_us,last_t_us,events,vx_px_per_s,vy_px_per_s,min_x,min_y,max_x,max_y,fate,"
-            + "merged_into,turn_rad_per_s,growth_per_s", segments.get(0));
-        assertEquals(sofas.segments().size() + 1, segments.size());
-        assertTrue(segments.get(1), segments.get(1).startsWith(sofas.segments().get(0).id() + ","));
     }
 }

@@ -128,6 +128,10 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
         throw new UnsupportedOperationException();
     }
 
+    public synchronized boolean isMeasureProcessingTime() {
+        throw new UnsupportedOperationException();
+    }
+
     public int getSubSampleShift() {
         throw new UnsupportedOperationException();
     }

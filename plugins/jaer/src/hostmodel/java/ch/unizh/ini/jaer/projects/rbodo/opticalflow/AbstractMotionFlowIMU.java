@@ -40,6 +40,7 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public boolean displayColorWheelLegend = true;
     public int fontSize = 6;
     public int resets;
+    public boolean measureProcessingTime;
     public Runnable clockStarted = () -> { };
     private final MotionFlowStatistics statistics = new MotionFlowStatistics();
 
@@ -150,6 +151,10 @@ public abstract class AbstractMotionFlowIMU extends EventFilter2DMouseAdaptor {
     public void setDisplayGlobalMotion(boolean displayGlobalMotion) {
         this.displayGlobalMotion = displayGlobalMotion;
         putBoolean("displayGlobalMotion", displayGlobalMotion);
+    }
+
+    public synchronized boolean isMeasureProcessingTime() {
+        return measureProcessingTime;
     }
 
     public int getSubSampleShift() {
