@@ -2,6 +2,7 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.MeasuredMotions;
 import io.github.sofas.flow.search.BusyPixels;
 import io.github.sofas.flow.search.FlowPlane;
 import io.github.sofas.flow.search.LoneEvents;
@@ -28,13 +29,13 @@ final class RefinedMethod implements Method {
     private FlowPlane flowPlane;
     private StructureSearch search;
 
-    RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended) {
+    RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended, MeasuredMotions measured) {
         this.sensor = sensor;
         this.p = p;
         lone = new LoneEvents(sensor.width(), sensor.height(), p.search().slowestPxPerS());
         busy = new BusyPixels(sensor.width(), sensor.height(), p.search());
         flowPlane = new FlowPlane(sensor.width(), sensor.height(), p.search());
-        stack = new TrackPlaneStack(sensor, p.track(), newFit(TRACKED_ON_BOTH), ended);
+        stack = new TrackPlaneStack(sensor, p.track(), newFit(TRACKED_ON_BOTH), ended, measured);
         search = newSearch(p);
     }
 

@@ -2,6 +2,7 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.MeasuredMotions;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -30,6 +31,7 @@ public final class Sofas implements EventLabeller {
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
+    private final MeasuredMotions measured;
     /** What the next batch is to be labelled with; any thread may write it. */
     private volatile SofasParameters parameters;
     private SofasParameters inUse;
@@ -57,16 +59,22 @@ public final class Sofas implements EventLabeller {
      *     {@link #process} or {@link #reset}; it must not call the engine
      */
     public Sofas(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended) {
+        this(sensor, parameters, ended, (segment, motion) -> { });
+    }
+
+    /** Makes an engine that also tells of each motion that it measures; the default preset only. */
+    Sofas(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended, MeasuredMotions measured) {
         this.sensor = sensor;
         this.parameters = parameters;
         this.ended = Objects.requireNonNull(ended, "ended");
+        this.measured = measured;
         inUse = parameters;
         method = make(parameters);
     }
 
     private Method make(SofasParameters p) {
         return p.preset() == SofasParameters.Preset.PAPER ? new PaperMethod(sensor, p, ended)
-            : new RefinedMethod(sensor, p, ended);
+            : new RefinedMethod(sensor, p, ended, measured);
     }
 
     /**

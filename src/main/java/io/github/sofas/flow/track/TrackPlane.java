@@ -6,6 +6,7 @@ import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.CommonMotion;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.MeasuredMotions;
 import io.github.sofas.flow.motion.Motion;
 
 /**
@@ -57,6 +58,7 @@ public final class TrackPlane {
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
     private final Measurement measurement;
+    private final MeasuredMotions measured;
 
     private int id;
     private long firstUs;
@@ -72,12 +74,13 @@ public final class TrackPlane {
     /** Events per px of travel: as many at any speed. */
     private double usualDensity;
 
-    TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p) {
+    TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions measured) {
         this.sensor = sensor;
         this.p = p;
         contour = new Contour(sensor, spare);
         memory = new ContourMemory(sensor.width(), sensor.height());
         measurement = new Measurement(p);
+        this.measured = measured;
     }
 
     /** The most bytes that its arrays take. */
@@ -243,6 +246,7 @@ public final class TrackPlane {
             measurement.hold(motion);
         } else if (nowUs - live.oldestUs() > 10) {
             measurement.measure(motion, live, contour.radius(), fit, lifetimeUs, nowUs);
+            measured.measured(id, motion);
         }
         carryOn(nowUs);
     }

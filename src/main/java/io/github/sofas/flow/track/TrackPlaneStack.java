@@ -7,6 +7,7 @@ import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.CommonMotion;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.MeasuredMotions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -31,6 +32,7 @@ public final class TrackPlaneStack {
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
+    private final MeasuredMotions measured;
     private SofasParameters.Track p;
     private final MetricFit fit;
     private TrackPlane[] planes;
@@ -42,12 +44,14 @@ public final class TrackPlaneStack {
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
 
-    /** Makes an empty stack that reports segments when they end. */
-    public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, Consumer<Segment> ended) {
+    /** Makes an empty stack that reports segments when they end, and their motions when they are measured. */
+    public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, Consumer<Segment> ended,
+                           MeasuredMotions measured) {
         this.sensor = sensor;
         this.p = p;
         this.fit = fit;
         this.ended = ended;
+        this.measured = measured;
         spareCells = new Contour.Spare(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
     }
@@ -177,7 +181,7 @@ public final class TrackPlaneStack {
 
     /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
     public TrackPlane create(long nowUs, double vx, double vy) {
-        TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor, spareCells, p)
+        TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured)
             : unused.remove(unused.size() - 1);
         plane.start(nextId++, nowUs, vx, vy);
         return plane;

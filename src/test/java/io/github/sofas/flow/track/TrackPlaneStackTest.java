@@ -25,7 +25,8 @@ public class TrackPlaneStackTest {
 
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
     private final List<Segment> ended = new ArrayList<>();
-    private final TrackPlaneStack stack = new TrackPlaneStack(SENSOR, P, fit, ended::add);
+    private final TrackPlaneStack stack = new TrackPlaneStack(SENSOR, P, fit, ended::add,
+        (segment, motion) -> { });
     private final FlowOutput output = new FlowOutput(1);
     private long nowUs = 1_000_000;
 

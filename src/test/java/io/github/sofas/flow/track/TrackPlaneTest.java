@@ -9,6 +9,8 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.track.TrackPlane.State;
 import java.util.Random;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.Test;
 
 /**
@@ -21,8 +23,9 @@ public class TrackPlaneTest {
     private static final long COLUMN_US = 10_000;
 
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, LiveEvents.CAPACITY, 1900);
+    private final List<Long> measuredUs = new ArrayList<>();
     private final TrackPlane plane = new TrackPlane(SENSOR, new Contour.Spare(SENSOR),
-        SofasParameters.defaults().track());
+        SofasParameters.defaults().track(), (segment, motion) -> measuredUs.add(motion.referenceUs));
     private long nowUs;
     private int column;
 

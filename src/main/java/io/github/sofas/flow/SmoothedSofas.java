@@ -1,0 +1,185 @@
+package io.github.sofas.flow;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.smooth.Smoother;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Queue;
+import java.util.function.Consumer;
+
+/**
+ * {@link Sofas} with look-ahead: labels of events that know what came after them. What the engine measures over a
+ * window is taken for the window's middle, so that velocities do not lag; the events by which a structure was found are
+ * labelled with it; and where several structures may have an event, it goes to the one along whose motion its edge came
+ * and went ({@link io.github.sofas.flow.smooth.Smoother}).
+ *
+ * <pre>{@code
+ * SmoothedSofas sofas = new SmoothedSofas(sensor, SofasParameters.defaults(), 200_000);
+ * while (source.next(batch)) {
+ *     sofas.add(batch);
+ *     while (sofas.next(earlier, flow)) { ... } // flow.vxPxPerS[i], ... of event i of the batch earlier
+ * }
+ * sofas.finish();                               // and next() for the rest
+ * }</pre>
+ *
+ * <p>An event is given back once the look-ahead and a quarter of it have passed in the time of the events, and earlier
+ * where there are more than {@value Smoother#MOST_EVENTS} events in a quarter of the look-ahead: memory is bounded, by
+ * 64 MB beyond that of the engine where events are taken as soon as they can be. Labels depend on the events only.
+ *
+ * <p>For one thread at a time. Instances share nothing.
+ */
+public final class SmoothedSofas implements Labelling {
+    /** Shortest look-ahead in µs. */
+    public static final long MIN_LOOK_AHEAD_US = 4_000;
+    /** Longest look-ahead in µs. */
+    public static final long MAX_LOOK_AHEAD_US = 10_000_000;
+
+    private static final int PART = 4096;
+
+    private final Sofas sofas;
+    private final Smoother smoother;
+    private final Consumer<Segment> ended;
+    private final EventBatch part = new EventBatch(PART);
+    private final FlowOutput causal = new FlowOutput(PART);
+    private long newestUs = Long.MIN_VALUE;
+    /** Segments that ended, and may have events still. */
+    private final Queue<Segment> ending = new ArrayDeque<>();
+    private final Map<Integer, Tally> tallies = new HashMap<>();
+
+    /** What was given back of a segment. */
+    private static final class Tally {
+        private long firstUs = Long.MAX_VALUE;
+        private long lastUs = Long.MIN_VALUE;
+        private long events;
+
+        void add(Tally other) {
+            firstUs = Math.min(firstUs, other.firstUs);
+            lastUs = Math.max(lastUs, other.lastUs);
+            events += other.events;
+        }
+
+        Segment tell(Segment causal) {
+            return new Segment(causal.id(), events == 0 ? causal.firstTimeUs() : firstUs,
+                events == 0 ? causal.lastTimeUs() : lastUs, events, causal.vxPxPerS(), causal.vyPxPerS(),
+                causal.turnRadPerS(), causal.growthPerS(), causal.minX(), causal.minY(), causal.maxX(), causal.maxY(),
+                causal.fate(), causal.mergedInto());
+        }
+    }
+
+    /**
+     * Makes an engine with look-ahead.
+     *
+     * @param sensor size of the pixel array
+     * @param parameters of the {@code default} preset
+     * @param lookAheadUs time after an event that its label may depend on, in µs, {@value #MIN_LOOK_AHEAD_US} to
+     *     {@value #MAX_LOOK_AHEAD_US}
+     * @throws IllegalArgumentException where the preset is another, or the look-ahead is outside its range
+     */
+    public SmoothedSofas(SensorSize sensor, SofasParameters parameters, long lookAheadUs) {
+        this(sensor, parameters, lookAheadUs, segment -> { });
+    }
+
+    /**
+     * Makes an engine with look-ahead that also reports segments that ended.
+     *
+     * @param sensor size of the pixel array
+     * @param parameters of the {@code default} preset
+     * @param lookAheadUs time after an event that its label may depend on, in µs, {@value #MIN_LOOK_AHEAD_US} to
+     *     {@value #MAX_LOOK_AHEAD_US}
+     * @param ended gets each segment that ended, once all of its events can be taken, from within {@link #next}; it
+     *     must not call the engine
+     * @throws IllegalArgumentException where the preset is another, or the look-ahead is outside its range
+     */
+    public SmoothedSofas(SensorSize sensor, SofasParameters parameters, long lookAheadUs, Consumer<Segment> ended) {
+        if (parameters.preset() != SofasParameters.Preset.DEFAULT) {
+            throw new IllegalArgumentException("preset must be default where there is a look-ahead but was paper");
+        }
+        if (lookAheadUs < MIN_LOOK_AHEAD_US || lookAheadUs > MAX_LOOK_AHEAD_US) {
+            throw new IllegalArgumentException("lookAheadUs must be " + MIN_LOOK_AHEAD_US + " to " + MAX_LOOK_AHEAD_US
+                + " but was " + lookAheadUs);
+        }
+        this.ended = Objects.requireNonNull(ended, "ended");
+        smoother = new Smoother(sensor, lookAheadUs);
+        sofas = new Sofas(sensor, parameters, ending::add, smoother::add);
+    }
+
+    @Override
+    public void add(EventBatch batch) {
+        for (int i = 0; i < batch.size(); i++) {
+            newestUs = Math.max(newestUs, batch.timeUs[i]);
+            if (!smoother.isOfSlice(newestUs, part.size())) {
+                label();
+                smoother.endSlices(newestUs);
+            } else if (part.isFull()) {
+                label();
+            }
+            part.add(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
+        }
+    }
+
+    private void label() {
+        sofas.process(part, causal);
+        for (int i = 0; i < part.size(); i++) {
+            smoother.add(part, causal, i);
+        }
+        part.clear();
+    }
+
+    @Override
+    public void finish() {
+        label();
+        smoother.finish();
+    }
+
+    @Override
+    public boolean next(EventBatch batch, FlowOutput flow) {
+        boolean given = smoother.take(batch, flow);
+        Tally tally = null;
+        int tallied = 0;
+        for (int i = 0; i < batch.size(); i++) {
+            if (flow.segment[i] != 0) {
+                if (flow.segment[i] != tallied) {
+                    tallied = flow.segment[i];
+                    tally = tallies.computeIfAbsent(tallied, id -> new Tally());
+                }
+                tally.firstUs = Math.min(tally.firstUs, batch.timeUs[i]);
+                tally.lastUs = Math.max(tally.lastUs, batch.timeUs[i]);
+                tally.events++;
+            }
+        }
+        while (!ending.isEmpty() && smoother.isOver(ending.peek().id())) {
+            Segment segment = ending.remove();
+            Tally own = tallies.containsKey(segment.id()) ? tallies.remove(segment.id()) : new Tally();
+            if (segment.fate() == Segment.Fate.MERGED) {
+                tallies.computeIfAbsent(segment.mergedInto(), id -> new Tally()).add(own);
+            }
+            ended.accept(own.tell(segment));
+        }
+        return given;
+    }
+
+    /** Segments that are tracked at the newest event, with the events that were given back of them. */
+    @Override
+    public List<Segment> segments() {
+        List<Segment> segments = new ArrayList<>();
+        for (Segment segment : sofas.segments()) {
+            segments.add(tallies.getOrDefault(segment.id(), new Tally()).tell(segment));
+        }
+        return segments;
+    }
+
+    /** {@return how many events lay outside the sensor} */
+    public long eventsOutside() {
+        return sofas.eventsOutside();
+    }
+
+    /** {@return how many events were earlier than one before them} */
+    public long eventsBackwards() {
+        return sofas.eventsBackwards();
+    }
+}

@@ -1,0 +1,319 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Decides whose the events of a slice are, where that is open: each goes to the segment along whose motion its edge
+ * came and went. A segment's claim is the number of px of travel, up to {@value #SIDE_PARTS} on either side, in which
+ * there was an event of the same polarity where the motion puts the edge; what no segment claims is noise.
+ */
+final class Competition {
+    /** Travel that is looked at on either side of an event, in px, and parts that it is looked at in. */
+    static final double TRACE_PX = 8;
+    static final int SIDE_PARTS = 8;
+    /** Claim that an event needs to belong to a segment. */
+    private static final double LEAST = 4;
+    /** What the label that it has adds to a claim. */
+    private static final double PRIOR = 1.5;
+    /** What events count for that have no label yet, and those of another segment. */
+    private static final double NOBODYS = 0.7;
+    private static final double OTHERS = 0.3;
+    /** Travel during the look-ahead below which a segment's past and future do not show, in px. */
+    private static final double LEAST_TRAVEL_PX = 3;
+    /** Room around a segment's box in px. */
+    private static final int MARGIN_PX = 4;
+    /** Steps of the projection a part. */
+    private static final int STEPS = 4;
+
+    private static final int OPEN = 0;
+    private static final int DECIDED = -1;
+
+    private final EventWindow window;
+    private final TraceMap map;
+    private final SteppedProjection projection = new SteppedProjection();
+    private final Motion motion = new Motion();
+    private final double[] cos = new double[(TraceMap.PARTS + 1) * STEPS];
+    private final double[] sin = new double[(TraceMap.PARTS + 1) * STEPS];
+    private final double[] shiftX = new double[(TraceMap.PARTS + 1) * STEPS];
+    private final double[] shiftY = new double[(TraceMap.PARTS + 1) * STEPS];
+    // of the events of the slice
+    private double[] claim = new double[1024];
+    private int[] winner = new int[1024];
+    // of the block that is looked at
+    private long fromUs;
+    private double stepsPerUs;
+    private double left;
+    private double top;
+    private double right;
+    private double bottom;
+
+    Competition(SensorSize sensor, EventWindow window) {
+        this.window = window;
+        map = new TraceMap(sensor);
+    }
+
+    /**
+     * Labels the open events of a slice anew.
+     *
+     * @param slices those around it, in order
+     * @param index of the slice among them
+     * @param paths of the segments that may have events in it
+     * @param sideUs most time that is looked at on either side
+     */
+    void decide(List<Slice> slices, int index, Iterable<SegmentPath> paths, long sideUs) {
+        Slice slice = slices.get(index);
+        if (!open(slice)) {
+            return;
+        }
+        for (SegmentPath path : paths) {
+            claim(path, slices, index, sideUs);
+        }
+        int n = (int) (slice.until - slice.from);
+        for (int i = 0; i < n; i++) {
+            if (winner[i] != DECIDED) {
+                window.segment[window.at(slice.from + i)] = winner[i];
+            }
+        }
+    }
+
+    private boolean open(Slice slice) {
+        int n = (int) (slice.until - slice.from);
+        if (claim.length < n) {
+            claim = new double[2 * n];
+            winner = new int[2 * n];
+        }
+        Arrays.fill(winner, 0, n, DECIDED);
+        boolean any = false;
+        for (int t = 0; t < slice.columns() * slice.rows(); t++) {
+            if (slice.isOpen(t)) {
+                any = true;
+                for (int k = slice.start(t); k < slice.start(t + 1); k++) {
+                    int i = (int) (slice.event(k) - slice.from);
+                    winner[i] = OPEN;
+                    claim[i] = LEAST;
+                }
+            }
+        }
+        return any;
+    }
+
+    private void claim(SegmentPath path, List<Slice> slices, int index, long mostSideUs) {
+        Slice slice = slices.get(index);
+        if (!findBox(path, slices, index) || !hasOpen(slice)) {
+            return;
+        }
+        path.at((slice.fromUs + slice.untilUs) / 2, motion);
+        double speed = motion.speed(Math.hypot(right - left, bottom - top) / 4);
+        long sideUs = (long) Math.min(TRACE_PX / Math.max(speed, 1e-3) * 1e6, mostSideUs);
+        boolean shows = speed * sideUs * 1e-6 >= LEAST_TRAVEL_PX;
+        long partUs = Math.max(1, sideUs / SIDE_PARTS);
+        int blocks = (int) Math.ceil((slice.untilUs - slice.fromUs) / (2.0 * partUs));
+        long blockUs = (slice.untilUs - slice.fromUs + blocks - 1) / blocks;
+        for (long a = slice.fromUs; a < slice.untilUs; a += blockUs) {
+            claimBlock(path, slices, index, a, Math.min(slice.untilUs, a + blockUs), sideUs, partUs, shows);
+        }
+    }
+
+    /** Where the segment may be during the slice: where it was in the nearest one that has events of it, moved. */
+    private boolean findBox(SegmentPath path, List<Slice> slices, int index) {
+        Slice.Box box = null;
+        Slice nearest = null;
+        for (int d = 0; d < slices.size() && box == null; d++) {
+            for (int k = index - d; k <= index + d && box == null; k += Math.max(1, 2 * d)) {
+                if (k >= 0 && k < slices.size()) {
+                    nearest = slices.get(k);
+                    box = nearest.box(path.id());
+                }
+            }
+        }
+        if (box == null) {
+            return false;
+        }
+        Slice slice = slices.get(index);
+        path.at((nearest.fromUs + nearest.untilUs) / 2, motion);
+        double seconds = (slice.fromUs + slice.untilUs - nearest.fromUs - nearest.untilUs) * 0.5e-6;
+        double dx = motion.vx * seconds;
+        double dy = motion.vy * seconds;
+        left = box.left + dx - MARGIN_PX;
+        right = box.right + dx + MARGIN_PX;
+        top = box.top + dy - MARGIN_PX;
+        bottom = box.bottom + dy + MARGIN_PX;
+        return true;
+    }
+
+    /** Narrows the box to the open tiles in it; false where there are none. */
+    private boolean hasOpen(Slice slice) {
+        int firstColumn = tile(left, slice.columns());
+        int lastColumn = tile(right, slice.columns());
+        int firstRow = tile(top, slice.rows());
+        int lastRow = tile(bottom, slice.rows());
+        int l = Integer.MAX_VALUE;
+        int r = Integer.MIN_VALUE;
+        int t = Integer.MAX_VALUE;
+        int b = Integer.MIN_VALUE;
+        for (int row = firstRow; row <= lastRow; row++) {
+            for (int column = firstColumn; column <= lastColumn; column++) {
+                if (slice.isOpen(row * slice.columns() + column)) {
+                    l = Math.min(l, column);
+                    r = Math.max(r, column);
+                    t = Math.min(t, row);
+                    b = Math.max(b, row);
+                }
+            }
+        }
+        if (l > r) {
+            return false;
+        }
+        left = Math.max(left, (l << Slice.TILE_BITS) - 1);
+        right = Math.min(right, r + 1 << Slice.TILE_BITS);
+        top = Math.max(top, (t << Slice.TILE_BITS) - 1);
+        bottom = Math.min(bottom, b + 1 << Slice.TILE_BITS);
+        return left < right && top < bottom;
+    }
+
+    private static int tile(double place, int count) {
+        return Math.max(0, Math.min(count - 1, (int) Math.floor(place) >> Slice.TILE_BITS));
+    }
+
+    private void claimBlock(SegmentPath path, List<Slice> slices, int index, long a, long b, long sideUs, long partUs,
+                            boolean shows) {
+        path.bending((a + b) / 2, Math.max(1, sideUs / 2), motion);
+        fromUs = a - sideUs;
+        stepsPerUs = (double) STEPS / partUs;
+        for (int step = 0; step < cos.length; step++) {
+            projection.begin(motion, sideUs + (b - a), 1, 1);
+            projection.goTo(fromUs + Math.round((step + 0.5) / stepsPerUs));
+            cos[step] = projection.cos();
+            sin[step] = projection.sin();
+            shiftX[step] = projection.shiftX();
+            shiftY[step] = projection.shiftY();
+        }
+        map.clear();
+        for (int k = index; k >= 0 && slices.get(k).untilUs > fromUs; k--) {
+            add(path, slices.get(k), b + sideUs);
+        }
+        for (int k = index + 1; k < slices.size() && slices.get(k).fromUs < b + sideUs; k++) {
+            add(path, slices.get(k), b + sideUs);
+        }
+        ask(path, slices.get(index), a, b, shows);
+    }
+
+    private int step(long timeUs) {
+        return Math.min(cos.length - 1, (int) ((timeUs - fromUs) * stepsPerUs));
+    }
+
+    /** Adds the events of a slice to the map that fall in the box. */
+    private void add(SegmentPath path, Slice slice, long untilUs) {
+        // where the box is on the sensor during the slice
+        int first = step(Math.max(fromUs, slice.fromUs));
+        int last = step(Math.min(untilUs, slice.untilUs));
+        double l = Double.POSITIVE_INFINITY;
+        double r = Double.NEGATIVE_INFINITY;
+        double t = Double.POSITIVE_INFINITY;
+        double d = Double.NEGATIVE_INFINITY;
+        for (int step = first; step <= last; step += Math.max(1, last - first)) {
+            for (int corner = 0; corner < 4; corner++) {
+                double x = ((corner & 1) == 0 ? left : right) - shiftX[step];
+                double y = ((corner & 2) == 0 ? top : bottom) - shiftY[step];
+                double scale = cos[step] * cos[step] + sin[step] * sin[step];
+                double atX = (cos[step] * x - sin[step] * y) / scale;
+                double atY = (sin[step] * x + cos[step] * y) / scale;
+                l = Math.min(l, atX);
+                r = Math.max(r, atX);
+                t = Math.min(t, atY);
+                d = Math.max(d, atY);
+            }
+        }
+        if (r < 0 || d < 0 || l >= slice.columns() << Slice.TILE_BITS || t >= slice.rows() << Slice.TILE_BITS) {
+            return;
+        }
+        for (int row = tile(t, slice.rows()); row <= tile(d, slice.rows()); row++) {
+            for (int column = tile(l, slice.columns()); column <= tile(r, slice.columns()); column++) {
+                addTile(path, slice, row * slice.columns() + column, untilUs);
+            }
+        }
+    }
+
+    private void addTile(SegmentPath path, Slice slice, int tile, long untilUs) {
+        int end = slice.start(tile + 1);
+        for (int j = firstFrom(slice, tile, fromUs); j < end; j++) {
+            int k = window.at(slice.event(j));
+            long timeUs = window.timeUs[k];
+            if (timeUs >= untilUs) {
+                return;
+            }
+            int step = step(timeUs);
+            double x = cos[step] * window.x[k] + sin[step] * window.y[k] + shiftX[step];
+            double y = cos[step] * window.y[k] - sin[step] * window.x[k] + shiftY[step];
+            if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
+                int id = window.segment[k];
+                int whose = id == path.id() ? TraceMap.OWN : id == 0 ? TraceMap.NOBODYS : TraceMap.OTHERS;
+                map.add(x, y, window.polarity[k], Math.min(TraceMap.PARTS - 1, step / STEPS), whose);
+            }
+        }
+    }
+
+    /** Place in the order of the first event of a tile at or after a time. */
+    private int firstFrom(Slice slice, int tile, long us) {
+        int low = slice.start(tile);
+        int high = slice.start(tile + 1);
+        if (us <= slice.fromUs) {
+            return low;
+        }
+        while (low < high) {
+            int middle = low + high >>> 1;
+            if (window.timeUs[window.at(slice.event(middle))] < us) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    /** Asks the map about the open events of a block. */
+    private void ask(SegmentPath path, Slice slice, long a, long b, boolean shows) {
+        for (int row = tile(top, slice.rows()); row <= tile(bottom, slice.rows()); row++) {
+            for (int column = tile(left, slice.columns()); column <= tile(right, slice.columns()); column++) {
+                int tile = row * slice.columns() + column;
+                if (slice.isOpen(tile)) {
+                    askTile(path, slice, tile, a, b, shows);
+                }
+            }
+        }
+    }
+
+    private void askTile(SegmentPath path, Slice slice, int tile, long a, long b, boolean shows) {
+        int end = slice.start(tile + 1);
+        for (int j = firstFrom(slice, tile, a); j < end; j++) {
+            long event = slice.event(j);
+            int k = window.at(event);
+            long timeUs = window.timeUs[k];
+            if (timeUs >= b) {
+                return;
+            }
+            int step = step(timeUs);
+            double x = cos[step] * window.x[k] + sin[step] * window.y[k] + shiftX[step];
+            double y = cos[step] * window.y[k] - sin[step] * window.x[k] + shiftY[step];
+            if (x < left || x > right || y < top || y > bottom) {
+                continue;
+            }
+            boolean isOwn = window.segment[k] == path.id();
+            int part = step / STEPS;
+            long wanted = TraceMap.parts(part - SIDE_PARTS, part + SIDE_PARTS + 1) & ~(1L << part);
+            double score = shows ? TraceMap.score(map.around(x, y, window.polarity[k]), wanted, NOBODYS, OTHERS) : 0;
+            if (isOwn) {
+                score = shows ? score + PRIOR : 2 * SIDE_PARTS + PRIOR;
+            }
+            int i = (int) (event - slice.from);
+            if (score > claim[i]) {
+                claim[i] = score;
+                winner[i] = path.id();
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How a segment moved while it is looked at: its motion at knots of time, each the middle of the window that it was
+ * measured over. Between two knots the motion changes evenly; before the first and after the last one the segment goes
+ * on steadily.
+ */
+final class SegmentPath {
+    private static final int FIRST_CAPACITY = 64;
+
+    private final int id;
+    /** In order of time. */
+    private final List<Motion> knots = new ArrayList<>();
+    private long newestUs = Long.MIN_VALUE;
+    /** What was asked for last. */
+    private final Motion steady = new Motion();
+    private final Motion before = new Motion();
+    private final Motion after = new Motion();
+    private long steadyFromUs;
+    private long steadyUntilUs;
+
+    SegmentPath(int id) {
+        this.id = id;
+        forgetSteady();
+    }
+
+    int id() {
+        return id;
+    }
+
+    /** Time of its newest event or measurement in µs. */
+    long newestUs() {
+        return newestUs;
+    }
+
+    /** Notes an event that the causal labels give it. */
+    void see(long timeUs) {
+        newestUs = Math.max(newestUs, timeUs);
+    }
+
+    /** Lets the knots go that no time from another on needs. */
+    void forget(long us) {
+        int needless = knotsUntil(us) - 1;
+        if (needless > 0) {
+            knots.subList(0, needless).clear();
+        }
+    }
+
+    /** Takes a measurement; those of the same or a later time are outdated by it. */
+    void add(Motion measured) {
+        Motion knot = new Motion();
+        knot.copyFrom(measured);
+        while (!knots.isEmpty() && knots.get(knots.size() - 1).referenceUs >= knot.referenceUs) {
+            knots.remove(knots.size() - 1);
+        }
+        knots.add(knot);
+        newestUs = Math.max(newestUs, knot.referenceUs);
+        forgetSteady();
+    }
+
+    /** Whether its motion was ever measured. */
+    boolean isMeasured() {
+        return !knots.isEmpty();
+    }
+
+    private void forgetSteady() {
+        steadyFromUs = 1;
+        steadyUntilUs = 0;
+    }
+
+    /** How many knots are at a time or before. */
+    private int knotsUntil(long us) {
+        int low = 0;
+        int high = knots.size();
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (knots.get(middle).referenceUs <= us) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    /** The motion in the middle of the block of time that a time is in; the next question changes it. */
+    Motion about(long us, long blockUs) {
+        if (us < steadyFromUs || us >= steadyUntilUs) {
+            steadyFromUs = Math.floorDiv(us, blockUs) * blockUs;
+            steadyUntilUs = steadyFromUs + blockUs;
+            at(steadyFromUs + blockUs / 2, steady);
+        }
+        return steady;
+    }
+
+    /** The motion at a time. */
+    void at(long us, Motion to) {
+        int k = knotsUntil(us);
+        if (k == 0 || k == knots.size()) {
+            to.copyFrom(knots.get(Math.max(0, k - 1)));
+            to.ax = 0;
+            to.ay = 0;
+            to.alpha = 0;
+            to.moveReference(us);
+            return;
+        }
+        Motion a = knots.get(k - 1);
+        Motion b = knots.get(k);
+        double seconds = (b.referenceUs - a.referenceUs) * 1e-6;
+        // the same point of the structure in both
+        to.copyFrom(b);
+        to.moveCentre(a.centreX + a.vx * seconds, a.centreY + a.vy * seconds);
+        double ax = (to.vx - a.vx) / seconds;
+        double ay = (to.vy - a.vy) / seconds;
+        to.copyFrom(a);
+        to.ax = ax;
+        to.ay = ay;
+        to.alpha = (b.omega - a.omega) / seconds;
+        to.moveReference(us);
+        to.growth += (b.growth - a.growth) * (us - a.referenceUs) * 1e-6 / seconds;
+        to.ax = 0;
+        to.ay = 0;
+        to.alpha = 0;
+    }
+
+    /** The motion at a time, changing as it does in the mean from a time before to as long after. */
+    void bending(long us, long sideUs, Motion to) {
+        at(us - sideUs, before);
+        at(us + sideUs, after);
+        at(us, to);
+        // the same point of the structure in all
+        before.moveCentre(to.centreX - to.vx * sideUs * 1e-6, to.centreY - to.vy * sideUs * 1e-6);
+        after.moveCentre(to.centreX + to.vx * sideUs * 1e-6, to.centreY + to.vy * sideUs * 1e-6);
+        to.ax = (after.vx - before.vx) / (2e-6 * sideUs);
+        to.ay = (after.vy - before.vy) / (2e-6 * sideUs);
+        to.alpha = (after.omega - before.omega) / (2e-6 * sideUs);
+    }
+}

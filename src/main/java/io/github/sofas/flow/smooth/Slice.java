@@ -1,0 +1,149 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * The events of a short time, sorted by tiles of the sensor, so that those around a place are found without looking at
+ * all. Within a tile they are in order of time.
+ */
+final class Slice {
+    /** Side of a tile in px, as a power of two. */
+    static final int TILE_BITS = 5;
+    /** Unlabelled events of a tile, as a share of them and of the labelled ones about, that are more than noise. */
+    private static final double UNEXPLAINED = 0.2;
+    /** Events of a tile that a second segment must have, as a share of the labelled ones. */
+    private static final double SHARED = 0.02;
+
+    /** Box of a segment's events on the sensor. */
+    static final class Box {
+        int left = Integer.MAX_VALUE;
+        int top = Integer.MAX_VALUE;
+        int right = Integer.MIN_VALUE;
+        int bottom = Integer.MIN_VALUE;
+
+        void add(int x, int y) {
+            left = Math.min(left, x);
+            right = Math.max(right, x);
+            top = Math.min(top, y);
+            bottom = Math.max(bottom, y);
+        }
+    }
+
+    final long fromUs;
+    final long untilUs;
+    final long from;
+    final long until;
+    private final int columns;
+    private final int rows;
+    /** Events from the slice's first one on, by tile. */
+    private final int[] order;
+    private final int[] start;
+    private final boolean[] open;
+    private final Map<Integer, Box> boxes = new HashMap<>();
+
+    Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs) {
+        this.fromUs = fromUs;
+        this.untilUs = untilUs;
+        this.from = from;
+        until = window.end();
+        columns = (sensor.width() - 1 >> TILE_BITS) + 1;
+        rows = (sensor.height() - 1 >> TILE_BITS) + 1;
+        start = new int[columns * rows + 1];
+        open = new boolean[columns * rows];
+        order = sort(window, sensor);
+        findOpen(window);
+    }
+
+    private int[] sort(EventWindow window, SensorSize sensor) {
+        for (long i = from; i < until; i++) {
+            int k = window.at(i);
+            if (sensor.contains(window.x[k], window.y[k])) {
+                start[tile(window.x[k], window.y[k]) + 1]++;
+                if (window.segment[k] != 0) {
+                    boxes.computeIfAbsent(window.segment[k], id -> new Box()).add(window.x[k], window.y[k]);
+                }
+            }
+        }
+        for (int t = 0; t < columns * rows; t++) {
+            start[t + 1] += start[t];
+        }
+        int[] next = Arrays.copyOf(start, columns * rows);
+        int[] sorted = new int[start[columns * rows]];
+        for (long i = from; i < until; i++) {
+            int k = window.at(i);
+            if (sensor.contains(window.x[k], window.y[k])) {
+                sorted[next[tile(window.x[k], window.y[k])]++] = (int) (i - from);
+            }
+        }
+        return sorted;
+    }
+
+    private void findOpen(EventWindow window) {
+        int[] labelled = new int[columns * rows];
+        boolean[] shared = new boolean[columns * rows];
+        for (int t = 0; t < labelled.length; t++) {
+            int first = 0;
+            int others = 0;
+            for (int k = start[t]; k < start[t + 1]; k++) {
+                int id = window.segment[window.at(from + order[k])];
+                if (id != 0) {
+                    labelled[t]++;
+                    first = first == 0 ? id : first;
+                    others += id == first ? 0 : 1;
+                }
+            }
+            shared[t] = Math.min(others, labelled[t] - others) > SHARED * labelled[t];
+        }
+        for (int t = 0; t < labelled.length; t++) {
+            int column = t % columns;
+            int row = t / columns;
+            int about = 0;
+            boolean near = false;
+            for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+                for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+                    about += labelled[r * columns + c];
+                    near |= shared[r * columns + c];
+                }
+            }
+            int unlabelled = start[t + 1] - start[t] - labelled[t];
+            open[t] = near || unlabelled > UNEXPLAINED * (unlabelled + about / 3.0);
+        }
+    }
+
+    private int tile(int x, int y) {
+        return (y >> TILE_BITS) * columns + (x >> TILE_BITS);
+    }
+
+    /** Number of tiles in a row. */
+    int columns() {
+        return columns;
+    }
+
+    /** Number of rows of tiles. */
+    int rows() {
+        return rows;
+    }
+
+    /** Place in the order where the events of a tile begin. */
+    int start(int tile) {
+        return start[tile];
+    }
+
+    /** Number of the k-th event in the order of tiles. */
+    long event(int k) {
+        return from + order[k];
+    }
+
+    /** Whether it is to be decided anew whose the events of a tile are: several may have them, or none has many. */
+    boolean isOpen(int tile) {
+        return open[tile];
+    }
+
+    /** Where the events of a segment lie; null where it has none. */
+    Box box(int segment) {
+        return boxes.get(segment);
+    }
+}

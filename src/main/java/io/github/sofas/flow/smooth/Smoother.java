@@ -1,0 +1,201 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Looks at labelled events from both sides. Time is cut into slices, of which {@value #AHEAD} make the look-ahead. When
+ * a slice is complete, the one {@value #FIRST_LOOK} before it is labelled anew, and with what that gives on both sides
+ * the one {@value #AHEAD} before it once more, for good; its events get the velocity of their segment's path.
+ *
+ * <p>Slices end at multiples of their duration in the time of the events, and early where they have
+ * {@value #MOST_EVENTS} events: what comes out depends on the events only, and memory is bounded.
+ */
+public final class Smoother {
+    /** Slices of the look-ahead. */
+    public static final int AHEAD = 4;
+    /** Most events of a slice. */
+    public static final int MOST_EVENTS = 1 << 16;
+    /** Slices after which events are labelled for the first time. */
+    private static final int FIRST_LOOK = 2;
+    /** Slices that are kept: as many before the one that is labelled for good as after it. */
+    private static final int KEPT = 2 * AHEAD + 1;
+    /** Time over which a motion is taken as steady, in parts of a slice. */
+    private static final int BLOCKS = 32;
+
+    private final SensorSize sensor;
+    private final long sliceUs;
+    private final EventWindow window = new EventWindow();
+    private final List<Slice> slices = new ArrayList<>();
+    /** By rising id, so that the order does not depend on hashes. */
+    private final Map<Integer, SegmentPath> paths = new TreeMap<>();
+    private final Competition competition;
+    private long sliceFrom;
+    private long sliceFromUs = Long.MIN_VALUE;
+    /** Number of the first event that is not labelled for good, and that of the first that was not taken. */
+    private long labelled;
+    private long taken;
+    private long newestUs = Long.MIN_VALUE;
+    private boolean finished;
+
+    /**
+     * Makes one that is empty.
+     *
+     * @param lookAheadUs in µs
+     */
+    public Smoother(SensorSize sensor, long lookAheadUs) {
+        this.sensor = sensor;
+        sliceUs = Math.max(1, lookAheadUs / AHEAD);
+        competition = new Competition(sensor, window);
+    }
+
+    /**
+     * Whether an event belongs to the slice that is being filled; if not, that is to be ended first.
+     *
+     * @param waiting events of the slice that were not added yet
+     */
+    public boolean isOfSlice(long timeUs, int waiting) {
+        if (sliceFromUs == Long.MIN_VALUE) {
+            sliceFromUs = Math.floorDiv(timeUs, sliceUs) * sliceUs;
+        }
+        return timeUs < sliceUntilUs() && events(waiting) < MOST_EVENTS;
+    }
+
+    private long events(int waiting) {
+        return window.end() - sliceFrom + waiting;
+    }
+
+    private long sliceUntilUs() {
+        return Math.floorDiv(sliceFromUs, sliceUs) * sliceUs + sliceUs;
+    }
+
+    /** Takes a measured motion of a segment. */
+    public void add(int segment, Motion motion) {
+        path(segment).add(motion);
+    }
+
+    private SegmentPath path(int segment) {
+        return paths.computeIfAbsent(segment, SegmentPath::new);
+    }
+
+    /** Takes an event with its causal label. */
+    public void add(EventBatch batch, FlowOutput causal, int i) {
+        newestUs = Math.max(newestUs, batch.timeUs[i]);
+        int id = causal.segment[i];
+        if (id != 0) {
+            path(id).see(newestUs);
+        }
+        int k = window.add(newestUs, batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
+        window.segment[k] = id;
+        window.vxPxPerS[k] = causal.vxPxPerS[i];
+        window.vyPxPerS[k] = causal.vyPxPerS[i];
+    }
+
+    /** Ends the slice, and all that end before an event that does not belong to it. */
+    public void endSlices(long timeUs) {
+        if (events(0) >= MOST_EVENTS) {
+            endSlice(Math.min(sliceUntilUs(), newestUs + 1));
+        }
+        while (timeUs >= sliceUntilUs()) {
+            endSlice(sliceUntilUs());
+            if (labelled == window.end() && timeUs >= sliceUntilUs()) {
+                // nothing waits: on to where events go on
+                slices.clear();
+                sliceFromUs = Math.floorDiv(timeUs, sliceUs) * sliceUs;
+            }
+        }
+    }
+
+    private void endSlice(long untilUs) {
+        slices.add(new Slice(window, sensor, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
+        sliceFrom = window.end();
+        sliceFromUs = untilUs;
+        look(FIRST_LOOK);
+        look(AHEAD);
+        int done = slices.size() - 1 - AHEAD;
+        if (done >= 0) {
+            Slice slice = slices.get(done);
+            setVelocities(slice);
+            labelled = slice.until;
+        }
+        if (slices.size() == KEPT) {
+            Slice oldest = slices.remove(0);
+            window.forget(Math.min(oldest.until, taken));
+            paths.values().removeIf(path -> {
+                path.forget(oldest.untilUs);
+                return path.newestUs() < oldest.untilUs;
+            });
+        }
+    }
+
+    private void look(int back) {
+        int index = slices.size() - 1 - back;
+        if (index < 0) {
+            return;
+        }
+        Slice slice = slices.get(index);
+        List<SegmentPath> near = new ArrayList<>();
+        for (SegmentPath path : paths.values()) {
+            if (path.isMeasured() && path.newestUs() >= slice.fromUs - back * sliceUs) {
+                near.add(path);
+            }
+        }
+        competition.decide(slices, index, near, FIRST_LOOK * sliceUs);
+    }
+
+    private void setVelocities(Slice slice) {
+        long blockUs = Math.max(1, sliceUs / BLOCKS);
+        SegmentPath path = null;
+        for (long i = slice.from; i < slice.until; i++) {
+            int k = window.at(i);
+            int id = window.segment[k];
+            if (id != 0) {
+                path = path != null && path.id() == id ? path : paths.get(id);
+                if (path != null && path.isMeasured()) {
+                    Motion motion = path.about(window.timeUs[k], blockUs);
+                    window.vxPxPerS[k] = motion.vxAt(window.x[k], window.y[k], window.timeUs[k]);
+                    window.vyPxPerS[k] = motion.vyAt(window.x[k], window.y[k], window.timeUs[k]);
+                }
+            }
+        }
+    }
+
+    /** Labels all events for good. */
+    public void finish() {
+        while (labelled < window.end()) {
+            endSlice(sliceUntilUs());
+        }
+        finished = true;
+    }
+
+    /** Whether a segment that has ended gets no further event, and all that it got were taken. */
+    public boolean isOver(int segment) {
+        return taken == labelled && (finished || !paths.containsKey(segment));
+    }
+
+    /**
+     * Clears a batch, and fills it with the events that follow and were labelled for good.
+     *
+     * @return whether there were any
+     */
+    public boolean take(EventBatch batch, FlowOutput flow) {
+        batch.clear();
+        int most = Math.min(batch.capacity(), flow.capacity());
+        while (taken < labelled && batch.size() < most) {
+            int k = window.at(taken++);
+            int i = batch.size();
+            batch.add(window.givenUs[k], window.x[k], window.y[k], window.polarity[k]);
+            boolean moves = window.segment[k] != 0;
+            flow.segment[i] = window.segment[k];
+            flow.vxPxPerS[i] = moves ? window.vxPxPerS[k] : 0;
+            flow.vyPxPerS[i] = moves ? window.vyPxPerS[k] : 0;
+        }
+        return batch.size() > 0;
+    }
+}

@@ -1,0 +1,94 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import java.util.Arrays;
+
+/**
+ * When the events of some time happened that fall on each pixel once they are moved along one motion: a bit for each
+ * part of the time, by polarity, and by whose they are. Along the true motion of an event there are events in nearly
+ * all parts; along another one only as many as chance has there.
+ */
+final class TraceMap {
+    /** Parts of the time that are told apart. */
+    static final int PARTS = 20;
+    /** Of the segment whose motion it is; of none; of another. */
+    static final int OWN = 0;
+    static final int NOBODYS = 1;
+    static final int OTHERS = 2;
+
+    /** Pixels around the sensor. */
+    private static final int BORDER = 8;
+    private static final long ALL = (1L << PARTS) - 1;
+
+    private final int width;
+    private final int height;
+    private final long[] on;
+    private final long[] off;
+    private int top;
+    private int bottom;
+
+    TraceMap(SensorSize sensor) {
+        width = sensor.width() + 2 * BORDER;
+        height = sensor.height() + 2 * BORDER;
+        on = new long[width * height];
+        off = new long[width * height];
+        top = height;
+    }
+
+    /** Forgets all events. */
+    void clear() {
+        if (top < bottom) {
+            Arrays.fill(on, top * width, bottom * width, 0);
+            Arrays.fill(off, top * width, bottom * width, 0);
+        }
+        top = height;
+        bottom = 0;
+    }
+
+    /**
+     * Adds an event.
+     *
+     * @param x moved column in px
+     * @param y moved row in px
+     * @param part of the time in which it happened
+     * @param whose {@link #OWN}, {@link #NOBODYS} or {@link #OTHERS}
+     */
+    void add(double x, double y, int polarity, int part, int whose) {
+        int column = (int) (x + (BORDER + 0.5));
+        int row = (int) (y + (BORDER + 0.5));
+        if (isInside(column, row)) {
+            (polarity > 0 ? on : off)[row * width + column] |= 1L << part + whose * PARTS;
+            top = Math.min(top, row);
+            bottom = Math.max(bottom, row + 1);
+        }
+    }
+
+    private boolean isInside(int column, int row) {
+        return column > 0 && column < width - 1 && row > 0 && row < height - 1;
+    }
+
+    /** What is known of the four pixels around a place. */
+    long around(double x, double y, int polarity) {
+        int column = (int) (x + BORDER);
+        int row = (int) (y + BORDER);
+        if (!isInside(column, row)) {
+            return 0;
+        }
+        long[] map = polarity > 0 ? on : off;
+        int k = row * width + column;
+        return map[k] | map[k + 1] | map[k + width] | map[k + width + 1];
+    }
+
+    /** In how many of the wanted parts there are events: those of nobody and of others count less. */
+    static double score(long known, long wanted, double nobodys, double others) {
+        long own = known & wanted;
+        long free = known >> PARTS & wanted & ~own;
+        long taken = known >> 2 * PARTS & wanted & ~own & ~free;
+        return Long.bitCount(own) + nobodys * Long.bitCount(free) + others * Long.bitCount(taken);
+    }
+
+    /** The parts from one on to before another. */
+    static long parts(int from, int until) {
+        return (1L << Math.min(until, PARTS)) - (1L << Math.max(0, from)) & ALL;
+    }
+}

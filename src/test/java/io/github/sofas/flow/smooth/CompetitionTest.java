@@ -1,0 +1,131 @@
+package io.github.sofas.flow.smooth;
+
+import static org.junit.Assert.assertEquals;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Test;
+
+/**
+ * Two upright edges of 20 rows that meet: 1 goes to the right by a column each 10 ms, from column 20 at 0 s; 2 to the
+ * left, from column 61: at 200 ms they are a pixel apart, and either may have the events of both. Slices of 50 ms.
+ */
+public class CompetitionTest {
+    private static final SensorSize SENSOR = new SensorSize(96, 64);
+    private static final long COLUMN_US = 10_000;
+    private static final long SLICE_US = 50_000;
+
+    private final EventWindow window = new EventWindow();
+    private final Competition competition = new Competition(SENSOR, window);
+    private final List<Slice> slices = new ArrayList<>();
+    private final List<SegmentPath> paths = new ArrayList<>();
+
+    private void addPath(int id, double vx, double startX) {
+        Motion motion = new Motion();
+        motion.set(0, vx, 0);
+        motion.centreX = startX;
+        motion.centreY = 30;
+        SegmentPath path = new SegmentPath(id);
+        path.add(motion);
+        paths.add(path);
+    }
+
+    /** Events of a column each, with the labels that they are first given. */
+    private void film(int columns, int first, int second) {
+        addPath(1, 100, 20);
+        addPath(2, -100, 61);
+        long from = 0;
+        for (int c = 0; c < columns; c++) {
+            for (int y = 20; y < 40; y++) {
+                window.segment[window.add(c * COLUMN_US, 0, 20 + c, y, 1)] = first;
+                window.segment[window.add(c * COLUMN_US, 0, 61 - c, y, 1)] = second;
+            }
+            if ((c + 1) * COLUMN_US % SLICE_US == 0) {
+                long us = (c + 1) * COLUMN_US;
+                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us));
+                from = window.end();
+            }
+        }
+    }
+
+    /** Events of a segment among those of one of the edges, but for the 20 where they meet. */
+    private int countOf(int id, int parity) {
+        int count = 0;
+        for (long i = parity; i < window.end(); i += 2) {
+            int k = window.at(i);
+            count += window.segment[k] == id && window.timeUs[k] != 200_000 ? 1 : 0;
+        }
+        return count;
+    }
+
+    @Test
+    public void eventsBetweenTwoEdgesGoWhereTheirEdgeCameFromAndWentTo() {
+        film(40, 1, 2);
+        // where they meet, in columns 35 to 44, at 150 to 250 ms, all have the wrong label
+        for (int k = 3; k < 5; k++) {
+            for (long i = slices.get(k).from; i < slices.get(k).until; i++) {
+                window.segment[window.at(i)] = i % 2 == 0 ? 2 : 1;
+            }
+        }
+        for (int k = 0; k < slices.size(); k++) {
+            competition.decide(slices, k, paths, 100_000);
+        }
+        assertEquals(39 * 20, countOf(1, 0));
+        assertEquals(39 * 20, countOf(2, 1));
+    }
+
+    @Test
+    public void unlabelledEventsOfBeforeAreLabelled() {
+        film(30, 1, 2);
+        for (int k = 0; k < 3; k++) {
+            for (long i = slices.get(k).from; i < slices.get(k).until; i++) {
+                window.segment[window.at(i)] = 0;
+            }
+        }
+        // as they were found later
+        List<Slice> found = new ArrayList<>();
+        for (Slice slice : slices) {
+            found.add(new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs));
+        }
+        slices.clear();
+        slices.addAll(found);
+        for (int k = 0; k < slices.size(); k++) {
+            competition.decide(slices, k, paths, 100_000);
+        }
+        assertEquals(29 * 20, countOf(1, 0));
+        assertEquals(29 * 20, countOf(2, 1));
+    }
+
+    /** The events before a number. */
+    private EventWindow until(long end) {
+        EventWindow part = new EventWindow();
+        for (long i = 0; i < end; i++) {
+            int k = window.at(i);
+            part.segment[part.add(window.timeUs[k], 0, window.x[k], window.y[k], window.polarity[k])] =
+                window.segment[k];
+        }
+        return part;
+    }
+
+    @Test
+    public void eventThatNoMotionExplainsIsNoise() {
+        film(30, 1, 2);
+        int noise = 0;
+        for (long i = slices.get(3).from; i < slices.get(3).until; i += 10, noise++) {
+            // moved away from both edges, each by another way, and said to be of the first
+            int k = window.at(i);
+            window.x[k] = (short) (window.x[k] - 7 - noise * 5 % 11);
+            window.segment[k] = 1;
+        }
+        slices.set(3, new Slice(until(slices.get(3).until), SENSOR, slices.get(3).from, slices.get(3).fromUs,
+            slices.get(3).untilUs));
+        competition.decide(slices, 3, paths, 100_000);
+        int without = 0;
+        for (long i = slices.get(3).from; i < slices.get(3).until; i += 10) {
+            without += window.segment[window.at(i)] == 0 ? 1 : 0;
+        }
+        assertEquals(noise, without);
+    }
+}

@@ -1,0 +1,112 @@
+package io.github.sofas.flow.smooth;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.flow.motion.Motion;
+import org.junit.Test;
+
+public class SegmentPathTest {
+    private static final double EXACT = 1e-9;
+
+    private final SegmentPath path = new SegmentPath(1);
+    private final Motion at = new Motion();
+
+    private static Motion motion(long us, double vx, double centreX) {
+        Motion motion = new Motion();
+        motion.set(us, vx, 0);
+        motion.centreX = centreX;
+        return motion;
+    }
+
+    @Test
+    public void motionChangesEvenlyBetweenTwoKnots() {
+        // 100 to 200 px/s within 1 s: after a quarter of it 125 px/s, and (100 + 125) / 2 * 0.25 px farther
+        path.add(motion(0, 100, 10));
+        path.add(motion(1_000_000, 200, 160));
+        path.at(250_000, at);
+        assertEquals(125, at.vx, EXACT);
+        assertEquals(10 + 28.125, at.centreX, EXACT);
+        assertEquals(250_000, at.referenceUs);
+        assertEquals("the change is in the velocity already", 0, at.ax, EXACT);
+    }
+
+    @Test
+    public void turnAndGrowthChangeEvenlyAboutWhateverCentresTheyAreGiven() {
+        // the second knot tells of the same turning, of 2 and 4 rad/s, about a centre 30 px to the right
+        Motion first = motion(0, 0, 0);
+        first.omega = 2;
+        first.growth = 1;
+        Motion second = motion(1_000_000, 0, 0);
+        second.omega = 4;
+        second.growth = 3;
+        second.moveCentre(30, 0);
+        path.add(first);
+        path.add(second);
+        path.at(500_000, at);
+        assertEquals(0, at.vx, EXACT);
+        assertEquals(0, at.vy, EXACT);
+        assertEquals(3, at.omega, EXACT);
+        assertEquals(2, at.growth, EXACT);
+    }
+
+    @Test
+    public void segmentGoesOnSteadilyBeforeTheFirstAndAfterTheLastKnot() {
+        Motion only = motion(1_000_000, 100, 50);
+        only.ax = 1000;
+        path.add(only);
+        path.at(900_000, at);
+        assertEquals(100, at.vx, EXACT);
+        assertEquals(40, at.centreX, EXACT);
+        path.at(1_100_000, at);
+        assertEquals(100, at.vx, EXACT);
+        assertEquals(60, at.centreX, EXACT);
+    }
+
+    @Test
+    public void bendIsTheMeanChangeAroundATime() {
+        // 100 px/s until 1 s, then 100 px/s² more: from 0.8 to 1.2 s it changes by 20 px/s in 0.4 s
+        path.add(motion(0, 100, 0));
+        path.add(motion(1_000_000, 100, 100));
+        path.add(motion(2_000_000, 200, 250));
+        path.bending(1_000_000, 200_000, at);
+        assertEquals(100, at.vx, EXACT);
+        assertEquals(50, at.ax, EXACT);
+    }
+
+    @Test
+    public void laterMeasurementOfAnEarlierTimeTakesThePlaceOfOlderOnes() {
+        path.add(motion(0, 100, 0));
+        path.add(motion(500_000, 900, 0));
+        path.add(motion(400_000, 200, 0));
+        path.at(450_000, at);
+        assertEquals(200, at.vx, EXACT);
+    }
+
+    @Test
+    public void knotsAreForgottenThatNoLaterTimeNeeds() {
+        assertFalse(path.isMeasured());
+        path.add(motion(0, 100, 0));
+        path.add(motion(1_000_000, 200, 0));
+        path.add(motion(2_000_000, 300, 0));
+        path.forget(1_500_000);
+        path.at(1_500_000, at);
+        assertEquals(250, at.vx, EXACT);
+        path.at(500_000, at);
+        assertEquals("of before its first knot", 200, at.vx, EXACT);
+        path.forget(9_000_000);
+        assertTrue(path.isMeasured());
+    }
+
+    @Test
+    public void motionAboutATimeIsThatOfTheMiddleOfItsBlock() {
+        path.add(motion(0, 100, 0));
+        path.add(motion(1_000_000, 200, 0));
+        // from 200 to 300 ms
+        assertEquals(125, path.about(299_999, 100_000).vx, EXACT);
+        assertEquals(125, path.about(200_000, 100_000).vx, EXACT);
+        path.add(motion(500_000, 100, 0));
+        assertEquals("a new measurement counts at once", 100, path.about(200_000, 100_000).vx, EXACT);
+    }
+}

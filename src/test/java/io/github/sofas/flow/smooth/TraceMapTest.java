@@ -1,0 +1,61 @@
+package io.github.sofas.flow.smooth;
+
+import static org.junit.Assert.assertEquals;
+
+import io.github.sofas.event.SensorSize;
+import org.junit.Test;
+
+public class TraceMapTest {
+    private static final double EXACT = 1e-12;
+
+    private final TraceMap map = new TraceMap(new SensorSize(20, 10));
+
+    @Test
+    public void eventsAreFoundFromLessThanAPixelAwayWithTheirPolarity() {
+        map.add(5, 5, 1, 3, TraceMap.OWN);
+        assertEquals(1L << 3, map.around(5, 5, 1));
+        assertEquals(1L << 3, map.around(5.9, 4.1, 1));
+        assertEquals(0, map.around(6.1, 5, 1));
+        assertEquals(0, map.around(5, 3.9, 1));
+        assertEquals(0, map.around(5, 5, -1));
+    }
+
+    @Test
+    public void whatIsBesideTheSensorIsFoundAndWhatIsFarFromItIsLeftOut() {
+        map.add(-3, 5, 1, 0, TraceMap.OWN);
+        assertEquals(1, map.around(-3, 5, 1));
+        map.add(-30, 5, 1, 0, TraceMap.OWN);
+        map.add(50, 500, 1, 0, TraceMap.OWN);
+        assertEquals(0, map.around(-30, 5, 1));
+        assertEquals(0, map.around(50, 500, 1));
+    }
+
+    @Test
+    public void clearedMapIsEmpty() {
+        map.add(5, 5, 1, 3, TraceMap.OWN);
+        map.add(5, 9, -1, 3, TraceMap.OWN);
+        map.clear();
+        assertEquals(0, map.around(5, 5, 1));
+        assertEquals(0, map.around(5, 9, -1));
+    }
+
+    @Test
+    public void eachPartCountsOnceForTheOneThatCountsMost() {
+        map.add(5, 5, 1, 1, TraceMap.OWN);
+        map.add(5, 5, 1, 1, TraceMap.OTHERS);
+        map.add(6, 5, 1, 2, TraceMap.NOBODYS);
+        map.add(6, 5, 1, 2, TraceMap.OTHERS);
+        map.add(5, 6, 1, 4, TraceMap.OTHERS);
+        map.add(5, 6, 1, 9, TraceMap.OWN);
+        long known = map.around(5.5, 5.5, 1);
+        // part 9 is not wanted
+        assertEquals(1 + 0.5 + 0.25, TraceMap.score(known, TraceMap.parts(0, 5), 0.5, 0.25), EXACT);
+    }
+
+    @Test
+    public void partsAreThoseThatThereAre() {
+        assertEquals(0b11100, TraceMap.parts(2, 5));
+        assertEquals(0b11, TraceMap.parts(-4, 2));
+        assertEquals(1L << TraceMap.PARTS - 1, TraceMap.parts(TraceMap.PARTS - 1, TraceMap.PARTS + 9));
+    }
+}
