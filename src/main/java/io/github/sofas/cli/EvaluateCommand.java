@@ -9,7 +9,7 @@ import io.github.sofas.evaluate.TruthCsvReader;
 import io.github.sofas.evaluate.TruthException;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.ResultFiles;
-import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
 import java.io.IOException;
@@ -75,6 +75,9 @@ final class EvaluateCommand implements Callable<Integer> {
     private ReadingOptions reading;
 
     @Mixin
+    private LookAheadOptions lookAhead;
+
+    @Mixin
     private MethodOptions methodOptions;
 
     @Mixin
@@ -86,7 +89,7 @@ final class EvaluateCommand implements Callable<Integer> {
         if (results != null) {
             methodOptions.refuseLabelling("--results");
         }
-        MethodChoice asked = methodOptions.choice(parameterOptions);
+        MethodChoice asked = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
         EvaluationOptions options = options();
         Path recording = recording();
         checkFiles(recording);
@@ -147,8 +150,8 @@ final class EvaluateCommand implements Callable<Integer> {
         return RunProgress.start(spec.commandLine().getErr(), false, recording.toFile().length());
     }
 
-    private static EventLabeller watched(MethodChoice method, RecordingReader reader, RunProgress progress) {
-        return new WatchedLabeller(method.make(reader.sensor(), ended -> { }),
+    private static Labelling watched(MethodChoice method, RecordingReader reader, RunProgress progress) {
+        return new WatchedLabelling(method.labelling(reader.sensor(), ended -> { }),
             () -> progress.reached(reader.bytesRead()));
     }
 

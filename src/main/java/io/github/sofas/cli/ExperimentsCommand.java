@@ -85,6 +85,9 @@ final class ExperimentsCommand implements Callable<Integer> {
     private boolean quiet;
 
     @Mixin
+    private LookAheadOptions lookAhead;
+
+    @Mixin
     private MethodOptions methodOptions;
 
     @Mixin
@@ -100,6 +103,10 @@ final class ExperimentsCommand implements Callable<Integer> {
         }
         if (recordings != null && !Files.isDirectory(recordings)) {
             throw usage("--recordings must be a directory but was \"" + recordings + "\"");
+        }
+        if (lookAhead.isGiven() && (out != null || ablation)) {
+            throw usage("--look-ahead needs a table of one method: --random, --scenes or --recordings without "
+                + (out != null ? "--out" : "--ablation"));
         }
         if (out == null) {
             return tables();
@@ -135,14 +142,14 @@ final class ExperimentsCommand implements Callable<Integer> {
             throw usage("Missing required option: '--out=DIR', or for tables --random, --scenes, --recordings or "
                 + "--ablation");
         }
-        MethodChoice method = methodOptions.choice(parameterOptions);
+        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
         PrintWriter err = spec.commandLine().getErr();
         PrintWriter to = spec.commandLine().getOut();
         try {
             KnownTranslations known = translations == null ? new KnownTranslations()
                 : KnownTranslations.read(translations);
             List<String> failures = ablation ? ablation(method, known, to)
-                : tables(new Tables(sensor -> method.make(sensor, ended -> { }), jobs, to), known);
+                : tables(new Tables(sensor -> method.labelling(sensor, ended -> { }), jobs, to), known);
             failures.forEach(err::println);
             if (translations != null) {
                 known.write(translations);

@@ -2,6 +2,7 @@ package io.github.sofas.cli;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
 import java.util.Map;
 import java.util.function.BiFunction;
@@ -14,9 +15,27 @@ import java.util.function.Consumer;
  * @param preset name of the preset that the parameters started from; empty where the method has none
  * @param parameters every parameter by its option's name: a Number, Boolean or String each
  * @param maker makes it for a sensor and for a receiver of each segment that ends
+ * @param aheadMaker the same with look-ahead; null where labels are as a camera gets them
  */
 record MethodChoice(String method, String preset, Map<String, Object> parameters,
-                    BiFunction<SensorSize, Consumer<Segment>, EventLabeller> maker) {
+                    BiFunction<SensorSize, Consumer<Segment>, EventLabeller> maker,
+                    BiFunction<SensorSize, Consumer<Segment>, Labelling> aheadMaker) {
+
+    /** A method without look-ahead. */
+    MethodChoice(String method, String preset, Map<String, Object> parameters,
+                 BiFunction<SensorSize, Consumer<Segment>, EventLabeller> maker) {
+        this(method, preset, parameters, maker, null);
+    }
+
+    /** Whether labels wait for what comes after an event. */
+    boolean looksAhead() {
+        return aheadMaker != null;
+    }
+
+    /** Makes the method for a sensor, with look-ahead where that was chosen. */
+    Labelling labelling(SensorSize sensor, Consumer<Segment> ended) {
+        return looksAhead() ? aheadMaker.apply(sensor, ended) : Labelling.atOnce(make(sensor, ended));
+    }
 
     /** Makes the method for a sensor; ended is called for each segment that ends. */
     EventLabeller make(SensorSize sensor, Consumer<Segment> ended) {

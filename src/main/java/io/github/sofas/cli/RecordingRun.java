@@ -13,6 +13,8 @@ import io.github.sofas.export.TrackTable;
 import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.LabelledSource;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
@@ -34,6 +36,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
@@ -158,8 +161,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
                 ResultFiles results = new ResultFiles(replaces)) {
             ReportCollector report = reportedCommand == null ? null : new ReportCollector(reader.sensor());
             List<Segment> segments = new ArrayList<>();
-            EventLabeller labeller = method.make(reader.sensor(), segments::add);
-            Steps steps = new Steps(reader, labeller, report, progress);
+            Steps steps = new Steps(reader, method, segments::add, report, progress);
             steps.decodeNs = System.nanoTime() - start;
             try (Tables tables = new Tables()) {
                 steps.tables = tables;
@@ -170,9 +172,9 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
                 }
                 BatchPipeline.run(steps, threads);
             }
-            segments.addAll(labeller.segments());
+            segments.addAll(steps.livingSegments());
             RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9,
-                steps.decodeNs / 1e9, steps.engineNs / 1e9, steps.outputNs / 1e9);
+                steps.decodeNs() / 1e9, steps.engineNs() / 1e9, steps.outputNs / 1e9);
             RecordingSummary read = Summaries.of(source, reader, steps.damage);
             RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
                 method.parameters(), steps.eventsWithFlow, steps.withoutFlow.likelyReason(), segments,
@@ -246,7 +248,10 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
     /** What is done with each batch, and how long it took; each step has its own figures. */
     private static final class Steps implements BatchPipeline.Steps {
         private final RecordingReader reader;
+        /** One of the two; what looks ahead gives events back later than they are read. */
         private final EventLabeller labeller;
+        private final Labelling ahead;
+        private final LabelledSource labelled;
         private final ReportCollector report;
         private final RunProgress progress;
         private Tables tables;
@@ -259,9 +264,12 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         private long eventsWithFlow;
         private long bytesShown;
 
-        Steps(RecordingReader reader, EventLabeller labeller, ReportCollector report, RunProgress progress) {
+        Steps(RecordingReader reader, MethodChoice method, Consumer<Segment> ended, ReportCollector report,
+              RunProgress progress) {
             this.reader = reader;
-            this.labeller = labeller;
+            labeller = method.looksAhead() ? null : method.make(reader.sensor(), ended);
+            ahead = method.looksAhead() ? method.labelling(reader.sensor(), ended) : null;
+            labelled = ahead == null ? null : new LabelledSource(reader, ahead);
             this.report = report;
             this.progress = progress;
             withoutFlow = new WithoutFlow(reader.sensor());
@@ -272,7 +280,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
             long start = System.nanoTime();
             boolean more = false;
             try {
-                more = reader.next(slot.events);
+                more = labelled == null ? reader.next(slot.events) : labelled.next(slot.events, slot.flow);
             } catch (EventSourceException e) {
                 damage = e;
             }
@@ -283,9 +291,23 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
 
         @Override
         public void label(BatchPipeline.Slot slot) {
-            long start = System.nanoTime();
-            labeller.process(slot.events, slot.flow);
-            engineNs += System.nanoTime() - start;
+            if (labeller != null) {
+                long start = System.nanoTime();
+                labeller.process(slot.events, slot.flow);
+                engineNs += System.nanoTime() - start;
+            }
+        }
+
+        List<Segment> livingSegments() {
+            return labeller == null ? ahead.segments() : labeller.segments();
+        }
+
+        private long engineNs() {
+            return labelled == null ? engineNs : labelled.labellingNs();
+        }
+
+        private long decodeNs() {
+            return labelled == null ? decodeNs : decodeNs - labelled.labellingNs();
         }
 
         @Override

@@ -72,6 +72,9 @@ final class RunCommand implements Callable<Integer> {
     private boolean quiet;
 
     @Mixin
+    private LookAheadOptions lookAhead;
+
+    @Mixin
     private MethodOptions methodOptions;
 
     @Mixin
@@ -146,7 +149,7 @@ final class RunCommand implements Callable<Integer> {
             throw usage("--report is drawn from the CSV, so --format must have csv too");
         }
         RecordingOptions options = reading.recordingOptions();
-        MethodChoice method = methodOptions.choice(parameterOptions);
+        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
         Map<String, Path> named;
         try {
             named = RecordingArguments.byName(RecordingArguments.expand(arguments), results.keepsExtension());

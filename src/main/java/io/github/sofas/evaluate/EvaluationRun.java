@@ -3,8 +3,9 @@ package io.github.sofas.evaluate;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSource;
 import io.github.sofas.event.EventSourceException;
-import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.LabelledSource;
+import io.github.sofas.flow.Labelling;
 import java.io.IOException;
 
 /**
@@ -30,7 +31,7 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
      * @throws TruthException where the truth is malformed or of another recording
      * @throws IOException where the truth cannot be read
      */
-    public static EvaluationRun of(EventSource source, TruthCsvReader truth, EventLabeller method,
+    public static EvaluationRun of(EventSource source, TruthCsvReader truth, Labelling method,
                                    EvaluationOptions options) throws TruthException, IOException {
         EventBatch batch = new EventBatch(BATCH);
         FlowOutput output = new FlowOutput(BATCH);
@@ -38,14 +39,11 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         EventSourceException damage = null;
         boolean[] known = new boolean[BATCH];
         long events = 0;
-        long methodNs = 0;
+        LabelledSource labelled = new LabelledSource(source, method);
         try {
-            while (source.next(batch)) {
+            while (labelled.next(batch, output)) {
                 truth.read(batch, known);
                 events += batch.size();
-                long start = System.nanoTime();
-                method.process(batch, output);
-                methodNs += System.nanoTime() - start;
                 estimate.append(output, keep(output, known, batch.size()));
             }
         } catch (EventSourceException e) {
@@ -55,7 +53,8 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         if (damage == null) {
             truth.end();
         }
-        return new EvaluationRun(Evaluation.of(truth.truth(), estimate, options), damage, methodNs * 1e-9, events);
+        return new EvaluationRun(Evaluation.of(truth.truth(), estimate, options), damage, labelled.labellingNs() * 1e-9,
+            events);
     }
 
     /** Moves the labels of the events whose truth is known to the front, and returns how many there are. */

@@ -3,6 +3,7 @@ package io.github.sofas.evaluate;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.simulate.SimulatedRecording;
 import java.util.Arrays;
 
@@ -58,6 +59,40 @@ public final class FlowEstimate {
     }
 
     /**
+     * Lets a method label a simulated recording, at once or later.
+     *
+     * @param recording what is labelled
+     * @param method made for the recording's sensor; it has seen nothing
+     * @return the estimate
+     */
+    public static FlowEstimate of(SimulatedRecording recording, Labelling method) {
+        FlowEstimate estimate = new FlowEstimate();
+        EventBatch batch = new EventBatch(BATCH);
+        EventBatch labelled = new EventBatch(BATCH);
+        FlowOutput output = new FlowOutput(BATCH);
+        for (int from = 0; from < recording.size(); from += BATCH) {
+            fill(batch, recording, from, Math.min(BATCH, recording.size() - from));
+            method.add(batch);
+            while (method.next(labelled, output)) {
+                estimate.append(output, labelled.size());
+            }
+        }
+        method.finish();
+        while (method.next(labelled, output)) {
+            estimate.append(output, labelled.size());
+        }
+        return estimate;
+    }
+
+    private static void fill(EventBatch batch, SimulatedRecording recording, int from, int count) {
+        System.arraycopy(recording.timeUs, from, batch.timeUs, 0, count);
+        System.arraycopy(recording.x, from, batch.x, 0, count);
+        System.arraycopy(recording.y, from, batch.y, 0, count);
+        System.arraycopy(recording.polarity, from, batch.polarity, 0, count);
+        batch.setSize(count);
+    }
+
+    /**
      * Lets a method label what follows in a simulated recording, and appends it.
      *
      * @param recording what is labelled
@@ -69,11 +104,7 @@ public final class FlowEstimate {
         FlowOutput output = new FlowOutput(BATCH);
         while (size < until) {
             int count = Math.min(BATCH, until - size);
-            System.arraycopy(recording.timeUs, size, batch.timeUs, 0, count);
-            System.arraycopy(recording.x, size, batch.x, 0, count);
-            System.arraycopy(recording.y, size, batch.y, 0, count);
-            System.arraycopy(recording.polarity, size, batch.polarity, 0, count);
-            batch.setSize(count);
+            fill(batch, recording, size, count);
             method.process(batch, output);
             append(output, count);
         }

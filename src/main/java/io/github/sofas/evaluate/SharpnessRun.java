@@ -3,8 +3,9 @@ package io.github.sofas.evaluate;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSource;
 import io.github.sofas.event.EventSourceException;
-import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.LabelledSource;
+import io.github.sofas.flow.Labelling;
 
 /**
  * One recording labelled by a method and measured without truth.
@@ -23,23 +24,20 @@ public record SharpnessRun(Sharpness sharpness, EventSourceException damage, dou
      * @param method made for the source's sensor
      * @return what came of it
      */
-    public static SharpnessRun of(EventSource source, EventLabeller method) {
+    public static SharpnessRun of(EventSource source, Labelling method) {
         EventBatch batch = new EventBatch(BATCH);
         FlowOutput output = new FlowOutput(BATCH);
         Sharpness.Gatherer gatherer = new Sharpness.Gatherer(source.sensor());
         EventSourceException damage = null;
-        long methodNs = 0;
+        LabelledSource labelled = new LabelledSource(source, method);
         try {
-            while (source.next(batch)) {
-                long start = System.nanoTime();
-                method.process(batch, output);
-                methodNs += System.nanoTime() - start;
+            while (labelled.next(batch, output)) {
                 gatherer.add(batch, output);
             }
         } catch (EventSourceException e) {
             damage = e;
         }
-        return new SharpnessRun(gatherer.sharpness(), damage, methodNs * 1e-9);
+        return new SharpnessRun(gatherer.sharpness(), damage, labelled.labellingNs() * 1e-9);
     }
 
     /** {@return events per second of the method's own time; 0 where none passed} */

@@ -4,7 +4,7 @@ import io.github.sofas.evaluate.KnownTranslations;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.experiments.SceneFigures.Column;
-import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.simulate.Scene;
@@ -50,8 +50,8 @@ public final class Ablation {
         });
     }
 
-    private static Function<SensorSize, EventLabeller> maker(SofasParameters parameters) {
-        return sensor -> new Sofas(sensor, parameters);
+    private static Function<SensorSize, Labelling> maker(SofasParameters parameters) {
+        return sensor -> Labelling.atOnce(new Sofas(sensor, parameters));
     }
 
     /** Labels random scenes of consecutive seeds with every variant. */

@@ -1,41 +1,51 @@
 package io.github.sofas.experiments;
 
 import io.github.sofas.event.EventBatch;
-import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.List;
 
 /** A method and the processor time that its labelling took in the thread that uses it, whoever else is at work. */
-final class CpuTime implements EventLabeller {
+final class CpuTime implements Labelling {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    private final EventLabeller method;
+    private final Labelling method;
     private long ns;
     private long events;
 
-    CpuTime(EventLabeller method) {
+    CpuTime(Labelling method) {
         this.method = method;
     }
 
     @Override
-    public void process(EventBatch batch, FlowOutput output) {
+    public void add(EventBatch batch) {
         long start = THREADS.getCurrentThreadCpuTime();
-        method.process(batch, output);
+        method.add(batch);
         ns += THREADS.getCurrentThreadCpuTime() - start;
         events += batch.size();
     }
 
     @Override
-    public List<Segment> segments() {
-        return method.segments();
+    public void finish() {
+        long start = THREADS.getCurrentThreadCpuTime();
+        method.finish();
+        ns += THREADS.getCurrentThreadCpuTime() - start;
     }
 
     @Override
-    public void reset() {
-        method.reset();
+    public boolean next(EventBatch batch, FlowOutput flow) {
+        long start = THREADS.getCurrentThreadCpuTime();
+        boolean labelled = method.next(batch, flow);
+        ns += THREADS.getCurrentThreadCpuTime() - start;
+        return labelled;
+    }
+
+    @Override
+    public List<Segment> segments() {
+        return method.segments();
     }
 
     /** Processor time for each event, in ns; 0 where there was none. */

@@ -1,7 +1,7 @@
 package io.github.sofas.experiments;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulatedRecording;
 import io.github.sofas.simulate.SimulationOptions;
@@ -44,7 +44,8 @@ record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List
      */
     static RandomScenes run(int count, int jobs, long longestUs, Consumer<String> progress)
             throws InterruptedException {
-        Function<SensorSize, EventLabeller> maker = ComparedMethod.SOFAS_DEFAULT::make;
+        Function<SensorSize, Labelling> maker =
+            sensor -> Labelling.atOnce(ComparedMethod.SOFAS_DEFAULT.make(sensor));
         Map<String, Callable<SceneFigures>> random = new LinkedHashMap<>();
         for (long seed = 1; seed <= count; seed++) {
             TableScene scene = scene(seed);
@@ -60,7 +61,8 @@ record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List
             long seed = Long.parseLong(figures.name().substring(figures.name().indexOf(SEED_MARK) + 1));
             worst.put(figures.name(), () -> {
                 SimulatedRecording film = film(scene(seed), longestUs);
-                return new Pictured(figures, StripPainter.strip(film, maker.apply(film.sensor())));
+                return new Pictured(figures,
+                    StripPainter.strip(film, ComparedMethod.SOFAS_DEFAULT.make(film.sensor())));
             });
         }
         return new RandomScenes(ofRandom, ofTextured, all(worst, jobs, pictured -> { }));

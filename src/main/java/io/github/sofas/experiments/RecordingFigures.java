@@ -5,8 +5,9 @@ import io.github.sofas.evaluate.Sharpness;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.LabelledSource;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
@@ -34,7 +35,7 @@ record RecordingFigures(String name, Sharpness sharpness, long segments, double 
      * @param chip the sensor's name, null where the recording has it
      * @throws EventSourceException where it cannot be read to its end
      */
-    static RecordingFigures of(Path file, String chip, Function<SensorSize, EventLabeller> maker,
+    static RecordingFigures of(Path file, String chip, Function<SensorSize, Labelling> maker,
                                KnownTranslations known) throws EventSourceException {
         String name = file.getFileName().toString();
         try (RecordingReader reader = Recordings.open(file, RecordingOptions.defaults().withChip(chip))) {
@@ -43,8 +44,8 @@ record RecordingFigures(String name, Sharpness sharpness, long segments, double 
             EventBatch batch = new EventBatch(BATCH);
             FlowOutput output = new FlowOutput(BATCH);
             Map<Integer, Long> eventsBySegment = new HashMap<>();
-            while (reader.next(batch)) {
-                method.process(batch, output);
+            LabelledSource labelled = new LabelledSource(reader, method);
+            while (labelled.next(batch, output)) {
                 gatherer.add(batch, output);
                 for (int i = 0; i < batch.size(); i++) {
                     if (output.segment[i] != 0) {

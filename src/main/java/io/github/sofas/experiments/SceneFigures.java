@@ -5,7 +5,7 @@ import io.github.sofas.evaluate.EvaluationOptions;
 import io.github.sofas.evaluate.FlowEstimate;
 import io.github.sofas.evaluate.GroundTruth;
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulatedRecording;
 import io.github.sofas.simulate.SimulationOptions;
@@ -102,11 +102,11 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double grow
 
     /** Films a scene and lets a method label it. */
     static SceneFigures of(String name, Scene scene, SimulationOptions options,
-                           Function<SensorSize, EventLabeller> maker) {
+                           Function<SensorSize, Labelling> maker) {
         return of(name, SimulatedRecording.of(scene, options), maker);
     }
 
-    static SceneFigures of(String name, SimulatedRecording film, Function<SensorSize, EventLabeller> maker) {
+    static SceneFigures of(String name, SimulatedRecording film, Function<SensorSize, Labelling> maker) {
         CpuTime method = new CpuTime(maker.apply(film.sensor()));
         FlowEstimate estimate = FlowEstimate.of(film, method);
         Evaluation evaluation = Evaluation.of(GroundTruth.of(film), estimate, EvaluationOptions.defaults());

@@ -4,7 +4,7 @@ import io.github.sofas.evaluate.KnownTranslations;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.experiments.SceneFigures.Column;
-import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulationOptions;
 import java.io.IOException;
@@ -33,7 +33,7 @@ public final class Tables {
     private static final int WIDTH = 10;
     private static final String NONE = "-";
 
-    private final Function<SensorSize, EventLabeller> method;
+    private final Function<SensorSize, Labelling> method;
     private final int jobs;
     private final PrintWriter out;
 
@@ -44,7 +44,7 @@ public final class Tables {
      * @param jobs how many scenes or recordings are labelled at a time, at least 1
      * @param out where lines go
      */
-    public Tables(Function<SensorSize, EventLabeller> method, int jobs, PrintWriter out) {
+    public Tables(Function<SensorSize, Labelling> method, int jobs, PrintWriter out) {
         this.method = method;
         this.jobs = jobs;
         this.out = out;

@@ -553,4 +553,48 @@ public class RunCommandTest {
         Executed again = run("--report", "-q", HEXAGON);
         assertEquals(2, again.exitCode);
     }
+
+    @Test
+    public void lookAheadLabelsMoreOfTheSameEventsAndSaysSo() throws IOException {
+        assertEquals(0, run(HEXAGON).exitCode);
+        Path ahead = root.resolve("ahead");
+        assertEquals(0, runTo(ahead, "--look-ahead", 200, HEXAGON).exitCode);
+        List<String> causalRows = Files.readAllLines(out.resolve("hexagon.flow.csv"));
+        List<String> rows = Files.readAllLines(ahead.resolve("hexagon.flow.csv"));
+        assertEquals(eventsOf(causalRows), eventsOf(rows));
+        assertTrue(withoutFlow(rows) < withoutFlow(causalRows));
+        String summary = Files.readString(ahead.resolve("hexagon.summary.json"));
+        assertTrue(summary, summary.contains("\"look-ahead-ms\" : 200"));
+        assertFalse(Files.readString(out.resolve("hexagon.summary.json")).contains("look-ahead"));
+    }
+
+    private static List<String> eventsOf(List<String> rows) {
+        return rows.stream().map(row -> String.join(",", Arrays.asList(row.split(",")).subList(0, 4))).toList();
+    }
+
+    private static long withoutFlow(List<String> rows) {
+        return rows.stream().filter(row -> row.endsWith(",0")).count();
+    }
+
+    @Test
+    public void lookAheadGivesTheSameWithAnyNumberOfThreads() throws IOException {
+        byte[] first = null;
+        for (int threads = 1; threads <= 3; threads++) {
+            Path where = root.resolve("threads" + threads);
+            assertEquals(0, runTo(where, "--look-ahead", 100, "--threads", threads, HEXAGON).exitCode);
+            byte[] rows = Files.readAllBytes(where.resolve("hexagon.flow.csv"));
+            first = first == null ? rows : first;
+            assertArrayEquals(first, rows);
+        }
+    }
+
+    @Test
+    public void lookAheadIsForTheDefaultPresetOfSofas() {
+        assertTrue(run("--look-ahead", 100, "--preset", "paper", HEXAGON).err
+            .contains("--look-ahead needs --preset default but was used with paper"));
+        assertTrue(run("--look-ahead", 100, "--method", "local-planes", HEXAGON).err
+            .contains("--look-ahead needs --method sofas but was used with local-planes"));
+        assertTrue(run("--look-ahead", 3, HEXAGON).err.contains("--look-ahead must be 4 to 10000 but was 3"));
+        assertFalse(Files.exists(out));
+    }
 }

@@ -1,0 +1,65 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.flow.SmoothedSofas;
+import io.github.sofas.flow.SofasParameters;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Whether labels know what comes after an event. Goes with {@link MethodOptions}. */
+final class LookAheadOptions {
+    /** The name of the parameter in results. */
+    static final String PARAMETER = "look-ahead-ms";
+    private static final int US_PER_MS = 1000;
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(names = "--look-ahead", paramLabel = "MS",
+        description = "Label each event by what comes up to MS ms after it, too, 4 to 10000; 200 serves well. "
+            + "Velocities do not lag, and events from before a structure was found are labelled. Default: as a camera "
+            + "gets them, by what came before.")
+    private Integer lookAheadMs;
+
+    /** Whether there is to be a look-ahead. */
+    boolean isGiven() {
+        return lookAheadMs != null;
+    }
+
+    /**
+     * A method with the look-ahead that was asked for.
+     *
+     * @throws ParameterException where the method has none, or the look-ahead is outside its range
+     */
+    MethodChoice applyTo(MethodChoice method, ParameterOptions parameterOptions) {
+        return lookAheadMs == null ? method
+            : withLookAhead(method, parameterOptions, "--look-ahead", lookAheadMs, command);
+    }
+
+    /** The same, of any option. */
+    static MethodChoice withLookAhead(MethodChoice method, ParameterOptions parameterOptions, String option, int ms,
+                                      CommandSpec command) {
+        if (!method.method().equals(MethodOptions.Method.SOFAS.toString())) {
+            throw new ParameterException(command.commandLine(), option + " needs --method sofas but was used with "
+                + method.method());
+        }
+        SofasParameters parameters = parameterOptions.parameters();
+        if (parameters.preset() != SofasParameters.Preset.DEFAULT) {
+            throw new ParameterException(command.commandLine(), option + " needs --preset default but was used with "
+                + parameterOptions.presetName());
+        }
+        long us = (long) ms * US_PER_MS;
+        if (us < SmoothedSofas.MIN_LOOK_AHEAD_US || us > SmoothedSofas.MAX_LOOK_AHEAD_US) {
+            throw new ParameterException(command.commandLine(), option + " must be "
+                + SmoothedSofas.MIN_LOOK_AHEAD_US / US_PER_MS + " to " + SmoothedSofas.MAX_LOOK_AHEAD_US / US_PER_MS
+                + " but was " + ms);
+        }
+        Map<String, Object> all = new LinkedHashMap<>(method.parameters());
+        all.put(PARAMETER, ms);
+        return new MethodChoice(method.method(), method.preset(), all, method.maker(),
+            (sensor, ended) -> new SmoothedSofas(sensor, parameters, us, ended));
+    }
+}
