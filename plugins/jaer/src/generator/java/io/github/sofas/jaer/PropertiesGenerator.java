@@ -13,6 +13,8 @@ import java.util.List;
  */
 public final class PropertiesGenerator {
     private static final double WIDEST_SLIDER = 100;
+    /** Those to begin with: which speeds, how many structures, and how soon they are given up. */
+    private static final List<String> SIMPLE = List.of("slowestPxPerS", "fastestPxPerS", "maxTrackPlanes", "minShare");
     private static final List<String> NAMES = ParameterHandle.all().stream().map(ParameterHandle::name).toList();
 
     private PropertiesGenerator() {
@@ -58,7 +60,8 @@ public final class PropertiesGenerator {
         String value = handle.isSwitch() ? "isOn(\"" + handle.name() + "\")"
             : "(" + type + ") number(\"" + handle.name() + "\")";
         source.append("\n    /** The parameter ").append(handle.name()).append(": ")
-            .append(handle.declaration().value()).append(". */\n    @Preferred\n");
+            .append(handle.declaration().value()).append(". */\n")
+            .append(SIMPLE.contains(handle.name()) ? "    @Preferred\n" : "");
         method(source, "public " + type + " " + getter + "()", "return " + value);
         source.append("\n    /** Sets {@link #").append(getter).append("}. */\n");
         method(source, "public void set" + capital + "(" + type + " value)", "set(\"" + handle.name() + "\", value)");

@@ -16,7 +16,20 @@ import net.sf.jaer.chip.AEChip;
  */
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
 public abstract class ParameterProperties extends AbstractMotionFlowIMU {
+    /** jAER sorts groups by name: those of SOFAS come before its own. */
     private static final String METHOD = "0: SOFAS";
+    /** What the groups of parameters decide, as the user sees it. */
+    private static final List<String> GROUPS = List.of("1: SOFAS: what is found", "2: SOFAS: how long it is followed",
+        "4: SOFAS: paper preset only");
+    /** Of the family: for flow of single events, which is smoothed, spread and judged one by one. */
+    private static final List<String> MEANINGLESS = List.of("refractoryPeriodUs", "timestampGapThresholdUs",
+        "warnNonmonotonicTimestamps", "subSampleShift", "speedControlEnabled", "speedControl_ExcessSpeedRejectFactor",
+        "speedControl_SpeedMixingFactor", "discardOutliersEnabled", "outlierMotionFilteringEnabled", "epsilon",
+        "randomScatterOnFlowVectorOrigins", "displayZeroLengthVectorsEnabled", "ppsScaleDisplayRelativeOFLength",
+        "displayMotionField", "displayMotionFieldColorBlobs", "displayMotionFieldUsingColor",
+        "motionFieldDiffusionEnabled", "motionFieldMixingFactor", "motionFieldSubsamplingShift",
+        "motionFieldTimeConstantMs", "maxAgeUs", "minSpeedPpsToDrawMotionField", "consistentWithNeighbors",
+        "consistentWithCurrentAngle", "decayTowardsZeroPeridiclly", "motionField", "imuFlowEstimator");
 
     private final ParameterValues values;
 
@@ -31,9 +44,10 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         restore().forEach(log::warning);
         List<String> groups = ParameterHandle.all().stream().map(ParameterHandle::group).distinct().toList();
         for (ParameterHandle handle : ParameterHandle.all()) {
-            setPropertyTooltip(1 + groups.indexOf(handle.group()) + ": SOFAS " + handle.group(), handle.name(),
+            setPropertyTooltip(GROUPS.get(groups.indexOf(handle.group())), handle.name(),
                 ParameterValues.tooltip(handle));
         }
+        MEANINGLESS.forEach(this::hideProperty);
     }
 
     private Preset storedPreset() {

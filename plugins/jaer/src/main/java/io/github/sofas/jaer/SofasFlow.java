@@ -266,6 +266,7 @@ public class SofasFlow extends DrawingProperties {
     }
 
     @Override
+    @Preferred
     public void doSetDefaults() {
         super.doSetDefaults();
         // the family's defaults are for flow of single events

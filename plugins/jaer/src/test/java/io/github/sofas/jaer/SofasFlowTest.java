@@ -23,9 +23,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
+import net.sf.jaer.Description;
+import net.sf.jaer.Help;
+import net.sf.jaer.Preferred;
 import net.sf.jaer.chip.AEChip;
 import net.sf.jaer.event.EventPacket;
 import net.sf.jaer.eventprocessing.EventFilter;
@@ -251,6 +256,34 @@ public class SofasFlowTest {
                 assertTrue(property.getName(), filter.tooltips.containsKey(property.getName()));
             }
         }
+    }
+
+    @Test
+    public void simpleViewHasWhatToBeginWith() throws Exception {
+        Set<String> simple = new TreeSet<>();
+        for (PropertyDescriptor property : properties().values()) {
+            if (property.getReadMethod().isAnnotationPresent(Preferred.class)) {
+                simple.add(property.getName());
+            }
+        }
+        assertEquals(new TreeSet<>(List.of("preset", "slowestPxPerS", "fastestPxPerS", "maxTrackPlanes", "minShare",
+            "eventColours", "contoursShown", "segmentVelocityShown", "segmentLabelsShown", "metricShown",
+            "legendShown")), simple);
+    }
+
+    @Test
+    public void controlsForFlowOfSingleEventsAreHidden() {
+        assertTrue(filter().hidden.containsAll(List.of("refractoryPeriodUs", "speedControlEnabled",
+            "displayMotionField")));
+    }
+
+    @Test
+    public void chooserFindsTheFilterByWhatItDoes() {
+        String description = SofasFlow.class.getAnnotation(Description.class).value();
+        for (String word : List.of("motion", "tracking", "velocity", "optical flow", "segmentation")) {
+            assertTrue(word, description.contains(word));
+        }
+        assertTrue(SofasFlow.class.getAnnotation(Help.class).value().startsWith("<html>"));
     }
 
     @Test
