@@ -28,6 +28,7 @@ public class ArchitectureTest {
         Map.entry("flow", Set.of("event")),
         Map.entry("recording", Set.of("event")),
         Map.entry("live", Set.of("event", "recording")),
+        Map.entry("batch", Set.of()),
         Map.entry("host", Set.of("event", "flow")),
         Map.entry("export", Set.of("event", "flow")),
         Map.entry("render", Set.of("event", "flow")),
@@ -38,8 +39,8 @@ public class ArchitectureTest {
         Map.entry("experiments", Set.of("event", "flow", "recording", "export", "render", "baseline", "simulate",
             "evaluate")),
         Map.entry("benchmark", Set.of("event", "flow", "recording", "export", "simulate")),
-        Map.entry("cli", Set.of("event", "flow", "recording", "live", "host", "export", "render", "report",
-            "baseline", "simulate", "evaluate", "experiments", "benchmark")));
+        Map.entry("cli", Set.of("event", "flow", "recording", "live", "host", "batch", "export", "render",
+            "report", "baseline", "simulate", "evaluate", "experiments", "benchmark")));
 
     /** For each room of flow the rooms that it may see besides itself. */
     private static final Map<String, Set<String>> ROOMS = Map.of(

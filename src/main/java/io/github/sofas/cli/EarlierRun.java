@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -18,8 +19,10 @@ import java.util.TreeMap;
  * @param complete whether the recording was read to its end
  * @param doubtfulShare share of its events that were corrected, dropped or malformed
  * @param fileBytes sizes of the other results when they were written, by name
+ * @param values every text, number and truth value of the summary, by its JSON pointer
  */
-record EarlierRun(String request, boolean complete, double doubtfulShare, Map<String, Long> fileBytes) {
+record EarlierRun(String request, boolean complete, double doubtfulShare, Map<String, Long> fileBytes,
+                  Map<String, String> values) {
     private static final JsonFactory FACTORY = new JsonFactory();
 
     /** Reads a summary; null where there is none, or the file is something else. */
@@ -31,9 +34,13 @@ record EarlierRun(String request, boolean complete, double doubtfulShare, Map<St
         boolean complete = false;
         double doubtfulShare = 0;
         Map<String, Long> fileBytes = new HashMap<>();
+        Map<String, String> values = new LinkedHashMap<>();
         try (JsonParser json = FACTORY.createParser(summary.toFile())) {
             while (json.nextToken() != null) {
                 String path = json.getParsingContext().pathAsPointer().toString();
+                if (json.currentToken().isScalarValue()) {
+                    values.put(path, json.getText());
+                }
                 if (path.equals("/request") && json.currentToken() == JsonToken.VALUE_STRING) {
                     request = json.getText();
                 } else if (path.equals("/recording/complete")) {
@@ -47,7 +54,7 @@ record EarlierRun(String request, boolean complete, double doubtfulShare, Map<St
         } catch (IOException e) {
             return null;
         }
-        return new EarlierRun(request, complete, doubtfulShare, fileBytes);
+        return new EarlierRun(request, complete, doubtfulShare, fileBytes, values);
     }
 
     /**

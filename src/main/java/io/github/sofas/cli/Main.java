@@ -1,5 +1,6 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.batch.Cluster;
 import io.github.sofas.recording.Printable;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
@@ -13,6 +14,8 @@ public final class Main {
     static final int FAILED = 1;
     /** What was asked makes no sense; nothing was run. */
     static final int USAGE = 2;
+    /** A batch that has nothing to run on; that of sysexits.h for a service that is not there. */
+    static final int NO_CLUSTER = 69;
 
     private Main() {
     }
@@ -33,14 +36,16 @@ public final class Main {
      * @return the exit code: 0 done, 1 a recording failed, 2 wrong usage
      */
     static int execute(PrintWriter out, PrintWriter err, String... args) {
-        SofasCommand sofas = new SofasCommand();
+        return execute(null, out, err, args);
+    }
+
+    /** The same with a cluster for batches. */
+    static int execute(Cluster cluster, PrintWriter out, PrintWriter err, String... args) {
+        SofasCommand sofas = new SofasCommand(cluster);
         CommandLine commandLine = sofas.commandLine(args);
         commandLine.setOut(out);
         commandLine.setErr(err);
-        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         commandLine.setUsageHelpAutoWidth(true);
-        // A recording may be named @list, and is not a list of arguments.
-        commandLine.setExpandAtFiles(false);
         commandLine.setParameterExceptionHandler((exception, ignored) -> {
             exception.getMessage().lines().map(Printable::of).forEach(err::println);
             printSuggestions(args, err);

@@ -118,6 +118,24 @@ final class ParameterOptions {
         return config;
     }
 
+    /**
+     * What the config file says, as options; without what an option says otherwise.
+     *
+     * @throws IllegalArgumentException where the file cannot be read, with a message for the user
+     */
+    List<String> configAsOptions() {
+        List<String> options = new ArrayList<>();
+        if (config != null) {
+            ConfigFile file = ConfigFile.read(config);
+            for (String key : file.keys()) {
+                if (!isGiven("--" + key)) {
+                    options.add("--" + key + "=" + file.value(key));
+                }
+            }
+        }
+        return options;
+    }
+
     /** Name of the preset that was chosen. */
     String presetName() {
         return text(preset);

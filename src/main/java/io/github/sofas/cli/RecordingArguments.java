@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.regex.PatternSyntaxException;
 import java.util.stream.Stream;
@@ -79,7 +80,7 @@ final class RecordingArguments {
         if (Files.exists(path)) {
             return List.of(path);
         }
-        if (argument.chars().anyMatch(c -> WILDCARDS.indexOf(c) >= 0)) {
+        if (isPattern(argument)) {
             List<Path> found;
             try {
                 found = match(path);
@@ -96,11 +97,26 @@ final class RecordingArguments {
             : "; one whose name is not in " + ENCODING + " is reached by its directory or a quoted pattern"));
     }
 
+    /** Whether an argument may stand for many files. */
+    static boolean isPattern(String argument) {
+        return argument.chars().anyMatch(c -> WILDCARDS.indexOf(c) >= 0);
+    }
+
     private static boolean looksLikeRecording(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        return looksLikeRecording(file.getFileName().toString(), () -> Recordings.isText(file));
+    }
+
+    /**
+     * Whether a file of a directory is taken for a recording.
+     *
+     * @param fileName its name
+     * @param isText tells whether it begins with events as text; asked only where the name leaves it open
+     */
+    static boolean looksLikeRecording(String fileName, BooleanSupplier isText) {
+        String name = fileName.toLowerCase(Locale.ROOT);
         return !name.startsWith(".") && EXTENSIONS.stream().anyMatch(known -> name.endsWith("." + known))
             && (TEXT.stream().noneMatch(known -> name.endsWith("." + known))
-                || RESULTS.stream().noneMatch(name::endsWith) && Recordings.isText(file));
+                || RESULTS.stream().noneMatch(name::endsWith) && isText.getAsBoolean());
     }
 
     private static List<Path> match(Path pattern) {

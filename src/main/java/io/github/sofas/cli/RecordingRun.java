@@ -70,11 +70,12 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         return out.resolve(name + ".flow.csv");
     }
 
-    private Path flowFile(TableFormat format) {
+    /** The same in any format. */
+    static Path flowFile(Path out, String name, TableFormat format) {
         return out.resolve(name + ".flow." + format.extension());
     }
 
-    private Path tracksFile(TableFormat format) {
+    private static Path tracksFile(Path out, String name, TableFormat format) {
         return out.resolve(name + ".tracks." + format.extension());
     }
 
@@ -97,24 +98,35 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         return out.resolve(name + ".report.html");
     }
 
-    /** All that this run writes. */
+    /** All that this run writes, the summary last but for the report. */
     List<Path> files() {
-        List<Path> files = new ArrayList<>();
-        for (TableFormat format : formats) {
-            files.add(flowFile(format));
-            files.add(tracksFile(format));
-        }
-        files.add(segmentsFile(out, name));
-        files.add(summaryFile(out, name));
+        List<Path> files = files(out, name, formats);
         if (reportedCommand != null) {
             files.add(reportFile());
         }
         return files;
     }
 
+    /** All that a run without a report writes, the summary last. */
+    static List<Path> files(Path out, String name, List<TableFormat> formats) {
+        List<Path> files = new ArrayList<>();
+        for (TableFormat format : formats) {
+            files.add(flowFile(out, name, format));
+            files.add(tracksFile(out, name, format));
+        }
+        files.add(segmentsFile(out, name));
+        files.add(summaryFile(out, name));
+        return files;
+    }
+
     /** The results of this run that exist. */
     List<Path> existing() {
         return files().stream().filter(OutputFiles::isThere).toList();
+    }
+
+    /** The same run, whose summary names the recording so. */
+    RecordingRun of(String shownSource) {
+        return new RecordingRun(recording, shownSource, options, method, out, name, reportedCommand, replaces, formats);
     }
 
     /** The same run, which replaces results that exist. */
@@ -128,12 +140,17 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
      */
     String request() {
         File file = recording.toFile();
+        return request(file.length(), file.lastModified());
+    }
+
+    /** The same of a recording that was not fetched: its size, and when it was changed in ms since 1970. */
+    String request(long bytes, long changedMs) {
         List<Object> all = List.of(String.valueOf(options.chip()), options.strict(), options.forceChip(),
             String.valueOf(options.columns()), String.valueOf(options.timeUnit()), method.method(), method.preset(),
             method.parameters(), reportedCommand != null, formats);
         try {
             byte[] hash = MessageDigest.getInstance("SHA-256").digest(all.toString().getBytes(StandardCharsets.UTF_8));
-            return String.join(" ", Version.text(), file.length() + "@" + file.lastModified(),
+            return String.join(" ", Version.text(), bytes + "@" + changedMs,
                 HexFormat.of().formatHex(hash));
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
@@ -167,8 +184,8 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
                 steps.tables = tables;
                 Map<String, String> metadata = metadata(reader);
                 for (TableFormat format : formats) {
-                    tables.flows.add(FlowTable.open(format, results, flowFile(format), metadata));
-                    tables.tracks.add(TrackTable.open(format, results, tracksFile(format), metadata));
+                    tables.flows.add(FlowTable.open(format, results, flowFile(out, name, format), metadata));
+                    tables.tracks.add(TrackTable.open(format, results, tracksFile(out, name, format), metadata));
                 }
                 BatchPipeline.run(steps, threads);
             }

@@ -16,6 +16,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Collectors;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -130,37 +131,38 @@ final class RunCommand implements Callable<Integer> {
         doubts.values().forEach(doubt -> spec.commandLine().getErr().println(Printable.of(doubt)));
     }
 
+    /**
+     * The command with options and a single recording, which need not be there.
+     *
+     * @param options without recording and folder
+     */
+    static RunCommand parsed(List<String> options, Path recording, Path out) {
+        List<String> arguments = new ArrayList<>(List.of("run"));
+        arguments.addAll(options);
+        arguments.addAll(List.of("--out", out.toString(), "--", recording.toString()));
+        CommandLine line = new SofasCommand().commandLine("run");
+        line.parseArgs(arguments.toArray(String[]::new));
+        return line.getSubcommands().get("run").getCommand();
+    }
+
+    /** Threads of each recording. */
+    int threads() {
+        return threads;
+    }
+
     /** Everything that can be wrong before the first recording is opened. */
     private List<RecordingRun> check() {
         if (jobs < 1) {
             throw usage("--jobs must be at least 1 but was " + jobs);
         }
-        if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
-            throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
-        }
-        List<TableFormat> formats;
-        try {
-            reading.check();
-            formats = results.formats();
-        } catch (IllegalArgumentException e) {
-            throw usage(e.getMessage());
-        }
-        if (report && !formats.contains(TableFormat.CSV)) {
-            throw usage("--report is drawn from the CSV, so --format must have csv too");
-        }
-        RecordingOptions options = reading.recordingOptions();
-        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
+        checkOptions();
         Map<String, Path> named;
         try {
             named = RecordingArguments.byName(RecordingArguments.expand(arguments), results.keepsExtension());
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
         }
-        String reported = report ? typed() : null;
-        List<RecordingRun> runs = new ArrayList<>();
-        named.forEach((name, recording) ->
-            runs.add(new RecordingRun(recording, recording.toString(), options, method, out, name, reported,
-                results.replaces(), formats)));
+        List<RecordingRun> runs = runs(named);
         OutputFiles outputs = new OutputFiles(spec.commandLine());
         List<Path> inputs = new ArrayList<>(named.values());
         inputs.add(parameterOptions.config());
@@ -172,6 +174,32 @@ final class RunCommand implements Callable<Integer> {
         if (!results.replaces()) {
             outputs.refuseExisting(runs.stream().flatMap(run -> run.files().stream()).toList());
         }
+        return runs;
+    }
+
+    private void checkOptions() {
+        if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
+            throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
+        }
+        try {
+            reading.check();
+            if (report && !results.formats().contains(TableFormat.CSV)) {
+                throw usage("--report is drawn from the CSV, so --format must have csv too");
+            }
+        } catch (IllegalArgumentException e) {
+            throw usage(e.getMessage());
+        }
+    }
+
+    /** The runs of recordings, by the name of their results. */
+    List<RecordingRun> runs(Map<String, Path> named) {
+        RecordingOptions options = reading.recordingOptions();
+        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
+        String reported = report ? typed() : null;
+        List<RecordingRun> runs = new ArrayList<>();
+        named.forEach((name, recording) ->
+            runs.add(new RecordingRun(recording, recording.toString(), options, method, out, name, reported,
+                results.replaces(), results.formats())));
         return runs;
     }
 

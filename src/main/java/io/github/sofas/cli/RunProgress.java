@@ -108,7 +108,7 @@ final class RunProgress implements AutoCloseable {
     }
 
     /** Counts bytes read and events labelled. */
-    synchronized void add(long newBytes, int newEvents, int newEventsWithFlow) {
+    synchronized void add(long newBytes, long newEvents, long newEventsWithFlow) {
         events += newEvents;
         eventsWithFlow += newEventsWithFlow;
         if (bar != null) {
@@ -130,7 +130,7 @@ final class RunProgress implements AutoCloseable {
         }
     }
 
-    private static String speed(long events, long eventsWithFlow, double eventsPerSecond) {
+    static String speed(long events, long eventsWithFlow, double eventsPerSecond) {
         double share = events == 0 ? 0 : 100.0 * eventsWithFlow / events;
         return String.format(Locale.ROOT, "%.1f %% with flow, %.0f events/s", share, eventsPerSecond);
     }

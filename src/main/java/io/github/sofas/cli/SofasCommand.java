@@ -1,5 +1,6 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.batch.Cluster;
 import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.List;
@@ -21,19 +22,22 @@ import picocli.CommandLine.Spec;
     description = "Optical flow and segmentation of event-camera recordings, per event.")
 final class SofasCommand implements Callable<Integer> {
     /** Commands in the order of the help text. */
-    private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, RenderCommand.class, LiveCommand.class,
-        InfoCommand.class, ConvertCommand.class, EvaluateCommand.class, SimulateCommand.class, ExperimentsCommand.class,
-        CompareCommand.class, BenchCommand.class);
+    private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, BatchCommand.class, RenderCommand.class,
+        LiveCommand.class, InfoCommand.class, ConvertCommand.class, EvaluateCommand.class, SimulateCommand.class,
+        ExperimentsCommand.class, CompareCommand.class, BenchCommand.class);
     /** Commands about commands, which need them all. */
     private static final List<Class<?>> ABOUT_COMMANDS = List.of(HelpCommand.class,
         AutoComplete.GenerateCompletion.class);
     /** Those that have the algorithm's parameters as options. */
-    private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, RenderCommand.class,
-        LiveCommand.class, EvaluateCommand.class, ExperimentsCommand.class, BenchCommand.class);
+    private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, BatchCommand.class,
+        RenderCommand.class, LiveCommand.class, EvaluateCommand.class, ExperimentsCommand.class, BenchCommand.class);
 
     private static final String HELP_ALL = "--help-all";
     /** With these, help and completion show the algorithm's parameters too. */
     private static final Set<String> SHOW_PARAMETERS = Set.of(HELP_ALL, "generate-completion");
+
+    /** Where batches run; null where there is no cluster. */
+    private final Cluster cluster;
 
     @Spec
     private CommandSpec spec;
@@ -46,6 +50,20 @@ final class SofasCommand implements Callable<Integer> {
     @Option(names = "--verbose", scope = ScopeType.INHERIT,
         description = "Print the stack trace of an unexpected error.")
     private boolean verbose;
+
+    SofasCommand() {
+        this(null);
+    }
+
+    /** The same with a cluster for batches. */
+    SofasCommand(Cluster cluster) {
+        this.cluster = cluster;
+    }
+
+    /** Where batches run; null where there is no cluster. */
+    Cluster cluster() {
+        return cluster;
+    }
 
     /**
      * The command line with the command that is asked for, or with all where none is named: preparing one of them takes
@@ -70,6 +88,9 @@ final class SofasCommand implements Callable<Integer> {
         if (asked.isEmpty()) {
             ABOUT_COMMANDS.forEach(line::addSubcommand);
         }
+        line.setCaseInsensitiveEnumValuesAllowed(true);
+        // A recording may be named @list, and is not a list of arguments.
+        line.setExpandAtFiles(false);
         return line;
     }
 

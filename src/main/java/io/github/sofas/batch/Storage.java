@@ -1,0 +1,53 @@
+package io.github.sofas.batch;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Set;
+
+/** Files at places: absolute paths of this machine, or URIs. */
+public interface Storage {
+    /**
+     * {@return the names of what a folder has; empty where there is no folder}
+     *
+     * @param folder its place
+     * @throws IOException where it cannot be looked at
+     */
+    Set<String> names(String folder) throws IOException;
+
+    /**
+     * {@return the size of a file in bytes; -1 where there is none}
+     *
+     * @param file its place
+     * @throws IOException where it cannot be looked at
+     */
+    long bytes(String file) throws IOException;
+
+    /**
+     * Copies a file, with its time of change.
+     *
+     * @param file its place
+     * @param local where it is copied to
+     * @param mostBytes how much of it at most
+     * @throws IOException where it cannot be read or written
+     */
+    void fetch(String file, Path local, long mostBytes) throws IOException;
+
+    /**
+     * Puts a file in its place, which has another one, none, or all of it, but never a part. Makes the folder where it
+     * is missing.
+     *
+     * @param local the file, which may be moved
+     * @param file its place
+     * @param staging a folder for what is not whole yet
+     * @throws IOException where it cannot be written
+     */
+    void put(Path local, String file, String staging) throws IOException;
+
+    /**
+     * Deletes a file, or a folder with all that is in it, if it is there.
+     *
+     * @param place of it
+     * @throws IOException where it cannot be deleted
+     */
+    void delete(String place) throws IOException;
+}
