@@ -2,6 +2,7 @@ package io.github.sofas;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -275,6 +276,59 @@ public class StartScriptsTest {
         Result result = run("sofas", "run");
         assertEquals("sofas: building (the first time takes a minute)\n", result.err);
         assertEquals(7, result.code);
+    }
+
+    /** What the program says without Spark, and that it was started with it. */
+    private void installJavaForBatches(int codeWithoutSpark) throws IOException {
+        Path java = installJava("jdk-21", "21.0.2");
+        script(java.resolve("bin/java"), "case \" $* \" in *SparkBatch*) printf '%s\\n' \"$@\"; exit 7;; esac\n"
+            + "exit " + codeWithoutSpark);
+        environment.put("SOFAS_JAVA", java.toString());
+        Files.createDirectories(project.resolve("plugins/spark/src/main"));
+        Files.writeString(project.resolve("plugins/spark/build.gradle"), "");
+        markBuilt();
+    }
+
+    @Test
+    public void batchFetchesSparkOnceAndRunsOnIt() throws Exception {
+        installJavaForBatches(69);
+        Path spark = root.resolve(".cache/sofas/spark-4.0.4");
+        script(project.resolve("gradlew"), "echo \"gradlew $*\"; mkdir -p '" + spark + "'; : >'" + spark
+            + "/complete'");
+
+        Result first = run("sofas", "batch", "a b.aedat");
+
+        assertEquals("sofas: fetching Spark into " + spark
+            + " (225 MB, once; checked against gradle/dependencies.sha256)"
+            + "\ngradlew -q :plugins:spark:fetchSpark\n", first.err);
+        assertTrue(first.out, first.out.endsWith("-cp\n" + project + "/plugins/spark/build/libs/sofas-spark.jar:"
+            + spark
+            + "/*\nio.github.sofas.spark.SparkBatch\na b.aedat\n"));
+        assertEquals(7, first.code);
+        assertEquals("", run("sofas", "batch", "a.aedat").err);
+    }
+
+    @Test
+    public void batchTakesTheSparkThatIsThere() throws Exception {
+        installJavaForBatches(69);
+        environment.put("SPARK_HOME", "/opt/spark");
+        script(project.resolve("gradlew"), "echo \"gradlew $*\"");
+
+        Result result = run("sofas", "batch", "a.aedat");
+
+        assertEquals("gradlew -q :plugins:spark:jar\n", result.err);
+        assertTrue(result.out, result.out.contains("sofas-spark.jar:/opt/spark/jars/*\n"));
+    }
+
+    @Test
+    public void batchFetchesNothingForWrongUsage() throws Exception {
+        installJavaForBatches(2);
+        script(project.resolve("gradlew"), "echo \"gradlew $*\"");
+
+        Result result = run("sofas", "batch", "--nonsense");
+
+        assertEquals("", result.err);
+        assertEquals(2, result.code);
     }
 
     @Test
