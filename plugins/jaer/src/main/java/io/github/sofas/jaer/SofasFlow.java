@@ -15,6 +15,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicBoolean;
+import javax.swing.SwingUtilities;
 import net.sf.jaer.Description;
 import net.sf.jaer.DevelopmentStatus;
 import net.sf.jaer.Help;
@@ -323,7 +324,9 @@ public class SofasFlow extends DrawingProperties {
     @Preferred
     public void doToggleOnWriteSession() {
         Path name = chooseName();
-        if (name != null) {
+        if (name == null) {
+            releaseToggle();
+        } else {
             beginSession(name);
         }
     }
@@ -336,6 +339,9 @@ public class SofasFlow extends DrawingProperties {
     synchronized void beginSession(Path name) {
         endSession();
         session.begin(name);
+        if (!session.isOn()) {
+            releaseToggle();
+        }
     }
 
     synchronized void endSession() {
@@ -343,7 +349,13 @@ public class SofasFlow extends DrawingProperties {
             // with the packets that are on their way
             finish();
             session.end(segments());
+            releaseToggle();
         }
+    }
+
+    /** By this jAER's panel shows that the session is over, whoever ended it. */
+    private void releaseToggle() {
+        SwingUtilities.invokeLater(() -> getSupport().firePropertyChange("doToggleOffWriteSession", null, false));
     }
 
     /** Waits for the packets that are on their way. */

@@ -96,6 +96,16 @@ public class SessionLogTest {
     }
 
     @Test
+    public void panelIsToldWhereTheSessionEndsByItself() throws Exception {
+        List<String> told = new ArrayList<>();
+        filter.getSupport().addPropertyChangeListener(change -> told.add(change.getPropertyName()));
+        filter.beginSession(name);
+        filter.resetFilter();
+        javax.swing.SwingUtilities.invokeAndWait(() -> { });
+        assertEquals(List.of("doToggleOffWriteSession"), told);
+    }
+
+    @Test
     public void lastPacketIsWrittenAlone() throws IOException {
         filter.setEngineAwaited(true);
         FILM.forEach(batch -> filter.filterPacket(Packets.of(batch)));
