@@ -183,7 +183,7 @@ public final class MotionChange {
     }
 
     /** A change that shifts the ends of the window by no more than the noise is none. */
-    private static double believed(double value, double perPx, double noisePx) {
+    static double believed(double value, double perPx, double noisePx) {
         double px = value / perPx;
         return value * shareOf(px * px, px * px + noisePx * noisePx);
     }

@@ -181,4 +181,13 @@ public class MotionChangeTest {
         assertEquals(8, motion.alpha, 1e-9);
         assertEquals(0.4, motion.growth, 1e-9);
     }
+
+    @Test
+    public void changeIsBelievedAsFarAsItPassesTheNoise() {
+        // 0.2 rad/s shift the ends by a pixel; as much as the noise of 0.1 px half counts, ten times as much all but 1 %
+        assertEquals(0.01, MotionChange.believed(0.02, 0.2, 0.1), 1e-12);
+        assertEquals(-0.01, MotionChange.believed(-0.02, 0.2, 0.1), 1e-12);
+        assertEquals(0.2 * 100 / 101, MotionChange.believed(0.2, 0.2, 0.1), 1e-12);
+        assertEquals(0, MotionChange.believed(0, 0.2, 0.1), 0);
+    }
 }

@@ -94,6 +94,23 @@ public class PieceRefinementTest {
     }
 
     @Test
+    public void travelCountsHoweverOftenAPieceMeetsItself() {
+        // four columns are 3 px, less than 3.6; six are 5
+        SofasParameters anyDensity = P.with("evidence", 0);
+        assertFalse(refined(anyDensity, edge(4), 100, 0).isStructure());
+        assertTrue(refined(anyDensity, edge(6), 100, 0).isStructure());
+    }
+
+    @Test
+    public void hopelessPieceIsGivenUpAfterTheFirstFit() {
+        // an edge each pixel of which fires once meets itself some five times an event, a tenth of what is asked for
+        long before = fit.votes();
+        assertFalse(refined(P.with("evidence", 100), edge(10), 100, 0).isStructure());
+        // two metrics to tell it from rest and nine of the fit, of 300 events on two grids
+        assertEquals(11 * 2 * 300, fit.votes() - before);
+    }
+
+    @Test
     public void whatMeetsItselfTooSeldomIsNone() {
         assertTrue(refined(P, corner(12), 80, 120).isStructure());
         assertFalse(refined(P.with("evidence", 1000), corner(12), 80, 120).isStructure());

@@ -9,9 +9,10 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.Streams;
 import io.github.sofas.flow.fit.MetricFit;
 import java.util.List;
+import java.util.Random;
 import org.junit.Test;
 
-/** What a new structure gets of the events that come while it is refined. */
+/** What is looked at, what it may cost, and what a new structure gets of the events that come in the meantime. */
 public class StructureSearchTest {
     private static final SofasParameters P = SofasParameters.defaults();
     private static final SensorSize SENSOR = new SensorSize(64, 48);
@@ -160,5 +161,66 @@ public class StructureSearchTest {
         int alone = new Budget().eventsUntilFound(0);
         assertTrue("more than 50 events: " + alone, alone > 50);
         assertEquals(alone + 4_000 / 120.0, events, 2);
+    }
+
+    /** A search over events that are added as the test wants them. */
+    private static final class Looks {
+        private final FlowPlane plane = new FlowPlane(SENSOR.width(), SENSOR.height(), P.search());
+        private final MetricFit fit = new MetricFit(SENSOR.width(), SENSOR.height(), MetricFit.CELL_PX, 4096, 300);
+        private final AllStructures structures = new AllStructures();
+        private final StructureSearch search = new StructureSearch(plane, P.search(), fit, structures, 0);
+        private final Random random = new Random(8);
+
+        /** Events of either polarity at chance places and times of a tenth of a second. */
+        private void addNoise(int count, long fromUs) {
+            for (int i = 0; i < count; i++) {
+                plane.add(random.nextInt(SENSOR.width()), random.nextInt(SENSOR.height()),
+                    fromUs + 100_000L * i / count, random.nextBoolean() ? 1 : -1);
+            }
+        }
+
+        /** Five by five pixels that fire again and again, and go nowhere. */
+        private void addFlicker(int count, long fromUs) {
+            for (int i = 0; i < count; i++) {
+                plane.add(50 + i % 5, 40 + i / 5 % 5, fromUs + 80_000L * i / count, 1);
+            }
+        }
+
+        /** Settles what was added, looks as often as is wanted, and returns the votes that it gave. */
+        private long look(long nowUs) {
+            long before = fit.votes();
+            plane.settle(nowUs);
+            for (int i = 0; i < 5_000; i++) {
+                search.run(0);
+            }
+            return fit.votes() - before;
+        }
+    }
+
+    @Test
+    public void noiseIsNotLookedAt() {
+        Looks looks = new Looks();
+        looks.addNoise(2_000, 0);
+        assertEquals(0, looks.look(100_000));
+    }
+
+    @Test
+    public void pieceThatWasLookedAtInVainIsNotLookedAtAgain() {
+        Looks looks = new Looks();
+        looks.addFlicker(400, 0);
+        assertTrue(looks.look(80_000) > 0);
+        // enough events for a look each time, but few of the piece: it is looked at once more in each ring at most
+        long nowUs = 80_000;
+        long last = 1;
+        for (int i = 0; i < 20 && last > 0; i++) {
+            looks.addNoise(150, nowUs);
+            nowUs += 100_000;
+            last = looks.look(nowUs);
+        }
+        assertEquals(0, last);
+        // as many again as it had
+        looks.addFlicker(400, nowUs);
+        assertTrue(looks.look(nowUs + 80_000) > 0);
+        assertEquals(0, looks.structures.begun);
     }
 }

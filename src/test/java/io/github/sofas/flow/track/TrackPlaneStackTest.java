@@ -190,22 +190,21 @@ public class TrackPlaneStackTest {
 
     @Test
     public void olderPlaneTakesOverWhereverItStandsInTheStack() {
-        // the first ends, and the last takes its place before the second
+        // the first ends, and the last takes its place before the second, with the first look at them
         begin(110, 60, 100, 1);
         begin(20, 5, 100, 1);
         begin(20, 37, 100, 1);
-        for (int c = 1; c <= 3; c++) {
+        for (int c = 1; c <= 10; c++) {
             nowUs += 10_000;
             for (int y = 0; y < ROWS; y++) {
                 label(20 + c, 5 + y);
                 label(20 + c, 37 + y);
             }
         }
-        for (int i = 0; i < 30 && ended.isEmpty(); i++) {
-            nowUs += 1_000;
-            stack.check(nowUs);
-        }
-        assertTrue(ended.toString(), ended.stream().anyMatch(each -> each.id() == 3 && each.mergedInto() == 2));
+        stack.check(nowUs);
+        assertEquals(List.of(2), ids());
+        assertEquals(List.of(1, 3), ended.stream().map(Segment::id).toList());
+        assertEquals(2, ended.get(1).mergedInto());
     }
 
     @Test
