@@ -42,10 +42,16 @@ public class JarTest {
 
     /** A handle resolves one method, as a caller does; reflection would ask for the classes of all. */
     @Test
-    public void tracksAreWrittenWithNothingBeyondTheJar() throws Throwable {
+    public void flowAndTracksAreWrittenWithNothingBeyondTheJar() throws Throwable {
         URL[] jar = {Path.of(System.getProperty("sofas.jaer.jar")).toUri().toURL()};
         try (URLClassLoader alone = new URLClassLoader(jar, ClassLoader.getPlatformClassLoader())) {
             Class<?> table = alone.loadClass("io.github.sofas.export.TrackTable");
+            ByteArrayOutputStream flow = new ByteArrayOutputStream();
+            MethodHandle writer = MethodHandles.publicLookup().findConstructor(
+                alone.loadClass("io.github.sofas.export.FlowCsvWriter"),
+                MethodType.methodType(void.class, OutputStream.class));
+            ((Closeable) writer.invoke((OutputStream) flow)).close();
+            assertEquals("t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,segment\n", flow.toString(StandardCharsets.UTF_8));
             ByteArrayOutputStream out = new ByteArrayOutputStream();
             MethodHandle csv = MethodHandles.publicLookup().findStatic(table, "csv",
                 MethodType.methodType(table, OutputStream.class));
