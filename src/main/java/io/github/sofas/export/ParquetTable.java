@@ -54,9 +54,9 @@ final class ParquetTable implements TableWriter {
             .withAllocator(new HeapByteBufferAllocator()).withPageRowCountLimit(PAGE_ROWS)
             .withMinRowCountForPageSizeCheck(PAGE_ROWS).withPageSize(1 << 20);
         for (TableColumn column : columns) {
-            // Steps of numbers, and floats byte by byte, pack better here than dictionaries do, in half the time.
+            // Steps of numbers pack better here than dictionaries do, in half the time. Floats byte by byte would save
+            // 6 to 9 % of the file, but Spark 4.0 reads them only without its vectorized reader.
             builder.withDictionaryEncoding(column.name(), false)
-                .withByteStreamSplitEncoding(column.name(), column.type() == TableColumn.Type.FLOAT32)
                 .withStatisticsEnabled(column.name(), column.type() == TableColumn.Type.INT64)
                 .withSizeStatisticsEnabled(column.name(), false);
         }
