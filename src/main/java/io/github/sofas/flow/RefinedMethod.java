@@ -59,11 +59,9 @@ final class RefinedMethod implements Method {
     @Override
     public void label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         stack.check(timeUs);
-        if (!stack.label(x, y, timeUs, polarity, output, i)) {
-            output.set(i, 0, 0, 0);
-            if (!lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
-                flowPlane.add(x, y, timeUs, polarity);
-            }
+        if (!stack.label(x, y, timeUs, polarity, output, i) && !lone.isAlone(x, y, timeUs)
+                && !busy.isBusy(x, y, timeUs)) {
+            flowPlane.add(x, y, timeUs, polarity);
         }
         if (flowPlane.isToSettle(timeUs)) {
             flowPlane.settle(timeUs);

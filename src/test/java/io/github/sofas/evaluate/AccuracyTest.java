@@ -133,7 +133,7 @@ public class AccuracyTest {
 
     @Test
     public void moversThatCrossOrHideEachOtherKeepTheirSegments() {
-        assertReaches(Scene.THREE_CROSSING, PLAIN, 3.87, 0.10, 4.40, 12.61);
+        assertReaches(Scene.THREE_CROSSING, PLAIN, 6.72, 0.01, 7.55, 31.41);
         assertReaches(Scene.FOUR_BARS, PLAIN, 3.90, 0.35, 12.89, 17.49);
         assertReaches(Scene.PASSING_BEHIND, PLAIN, 2.95, 0.14, 3.07, 5.23);
     }

@@ -7,24 +7,22 @@ import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
  * The contour of a track plane: where in its frame its events fell of late (paper, section Track Plane). An event lies
- * on it that has enough support by {@link ContourCells}, whose counts fade by an eighth each sixteenth of the lifetime.
+ * on it that has enough support by {@link ContourCells}.
  *
- * <p>Ours: counts fade instead of being taken back event by event, and stay where they are when the motion is known a
- * little better. So a label costs the same at any density, and all else is paid per travel.
+ * <p>Ours: events are let go by sixteenths of the lifetime instead of one by one, and stay where they are when the
+ * motion is known a little better. So a label costs the same at any density, and all else is paid per travel.
  */
 final class Contour {
-    /** What an event adds to the count of its cell. */
-    private static final int ONE = 32;
-    /** Fadings during a lifetime, each by an eighth: the mean age of a count is half the lifetime. */
-    private static final int FADINGS = 16;
-    /** Support of two events of half their count: fewer never put an event on the contour. */
-    private static final int LEAST_SUPPORT = 2 * ONE;
+    /** Support of two sixteenths: less never puts an event on the contour. */
+    private static final int LEAST_SUPPORT = 4;
     /** Departure of the frame from the sensor at which it is anchored anew, in px; less than the margin. */
     private static final double FARTHEST_PX = 12;
     /** Least shift over the lifetime by a correction of the motion for the contour to be drawn anew, in px. */
     static final double REDRAWN_PX = 0.5;
     /** Share of the mean support that puts an event on the contour: one a pixel wide loses events to jitter. */
-    private static final double SHARE = 0.15;
+    private static final double SHARE = 0.25;
+    /** Share of the mean support below which it is doubtful whether an event is of the structure. */
+    private static final double SURE_SHARE = 0.6;
     /** Live events that threshold, centre and radius are measured from. */
     private static final int SAMPLE = 256;
 
@@ -38,6 +36,7 @@ final class Contour {
     private long fadedUs;
 
     private int threshold;
+    private double sureSupport;
     private double centreX;
     private double centreY;
     private double radius;
@@ -69,6 +68,7 @@ final class Contour {
         frame.anchor(along, 0);
         fadedUs = along.referenceUs;
         threshold = LEAST_SUPPORT;
+        sureSupport = Double.MAX_VALUE;
         centreX = 0;
         centreY = 0;
         radius = 0;
@@ -77,6 +77,11 @@ final class Contour {
     /** Least support that puts an event on the contour. */
     int threshold() {
         return threshold;
+    }
+
+    /** Support below which it is doubtful whether an event is of the structure. */
+    double sureSupport() {
+        return sureSupport;
     }
 
     /** Centre of the contour at the last {@link #measure}, x in px of the sensor. */
@@ -99,20 +104,33 @@ final class Contour {
         return cells.support(ContourCells.cell(frame.x(x, y)), ContourCells.cell(frame.y(x, y)), polarity);
     }
 
-    /** Counts an event on its cell. */
-    void add(int x, int y, long timeUs, int polarity) {
+    /**
+     * Notes an event on its cell.
+     *
+     * @param ageUs how long ago it was, of a lifetime
+     */
+    void add(int x, int y, long timeUs, int polarity, long ageUs, long lifetimeUs) {
         frame.advance(timeUs);
-        cells.count(frame.x(x, y), frame.y(x, y), polarity, ONE);
+        cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, lifetimeUs));
     }
 
-    /** Lets the counts fade as far as is due. */
+    private static int sixteenths(long ageUs, long lifetimeUs) {
+        return (int) Math.min(ContourCells.SIXTEENTHS, ageUs * ContourCells.SIXTEENTHS / Math.max(1, lifetimeUs));
+    }
+
+    /** Notes an event of now on its cell. */
+    void add(int x, int y, long timeUs, int polarity) {
+        add(x, y, timeUs, polarity, 0, 1);
+    }
+
+    /** Lets go what is older than the lifetime. */
     void fade(long nowUs, long lifetimeUs) {
-        long dueUs = Math.max(1, lifetimeUs / FADINGS);
+        long dueUs = Math.max(1, lifetimeUs / ContourCells.SIXTEENTHS);
         if (isEmpty()) {
             fadedUs = nowUs;
         }
         if (nowUs - fadedUs >= dueUs) {
-            cells.fade((int) Math.min(2 * FADINGS, (nowUs - fadedUs) / dueUs));
+            cells.pass((int) Math.min(ContourCells.SIXTEENTHS, (nowUs - fadedUs) / dueUs));
             fadedUs = nowUs;
         }
     }
@@ -132,7 +150,7 @@ final class Contour {
             frame.toReferenceY(cx - ContourCells.MARGIN, cy - ContourCells.MARGIN));
     }
 
-    /** Anchors the frame anew: each cell takes over the counts of the cell that was where it is. */
+    /** Anchors the frame anew: each cell takes over what was seen by the cell that was where it is. */
     private void anchor() {
         ContourCells from = cells;
         cells = spare.cells;
@@ -149,7 +167,7 @@ final class Contour {
         from.wipe();
     }
 
-    /** Takes over the counts of another contour of the sensor, which is left to be wiped. */
+    /** Takes over what was seen by another contour of the sensor, which is left to be wiped. */
     void absorb(Contour other, Motion along) {
         frame.follow(along, radius);
         anchor();
@@ -167,13 +185,11 @@ final class Contour {
             return;
         }
         past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
-        long halfUs = Math.max(1, lifetimeUs / 2);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             past.advance(live.timeUs[i]);
-            // as if it had faded since: to half after 0.7 of half the lifetime
-            int weight = (int) (ONE * halfUs / (halfUs + (along.referenceUs - live.timeUs[i])));
-            cells.count(past.x(live.x[i], live.y[i]), past.y(live.x[i], live.y[i]), live.sign[i], weight);
+            cells.see(past.x(live.x[i], live.y[i]), past.y(live.x[i], live.y[i]), live.sign[i],
+                sixteenths(along.referenceUs - live.timeUs[i], lifetimeUs));
         }
     }
 
@@ -218,6 +234,7 @@ final class Contour {
             return;
         }
         threshold = Math.max(LEAST_SUPPORT, (int) (SHARE * support / n));
+        sureSupport = SURE_SHARE * support / n;
         centreX = sumX / n;
         centreY = sumY / n;
         radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));

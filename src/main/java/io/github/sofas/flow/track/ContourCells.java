@@ -4,22 +4,25 @@ import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
- * Counts of the events of late by cell of a track plane's frame, ON and OFF apart, and the box of the cells that hold
- * any. A cell is as large as a pixel.
+ * When events fell on each cell of a track plane's frame, ON and OFF apart: a bit for each sixteenth of the lifetime,
+ * the newest highest; and the box of the cells that hold any. A cell is as large as a pixel.
  *
- * <p>Ours: the 3 x 3 cells around an event support it; those of the other polarity count against it by half. A contour
- * one cell wide would lose events to jitter, and an edge seldom fires both ways, while what merely flickers does.
+ * <p>Ours: sixteenths count, not events, because what moves otherwise crosses a cell in a part of the lifetime, with as
+ * many events as what belongs there brings in all of it. The 3 x 3 cells around an event support it; those of the other
+ * polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge seldom fires both
+ * ways, while what merely flickers does.
  */
 final class ContourCells {
     /** Cells around the sensor, for what leaves it between two anchorings of the frame. */
     static final int MARGIN = 24;
-    private static final int MOST = Short.MAX_VALUE;
-    /** Each fading takes an eighth. */
-    private static final int FADING_BITS = 3;
+    /** Parts of the lifetime that are told apart. */
+    static final int SIXTEENTHS = Short.SIZE;
+    private static final int NEWEST = 1 << SIXTEENTHS - 1;
+    private static final int ALL = (1 << SIXTEENTHS) - 1;
 
     private final int width;
     private final int height;
-    /** Counts of ON and OFF events by cell; greater ones stay at the most. */
+    /** Sixteenths in which ON and OFF events fell on each cell. */
     private final short[] on;
     private final short[] off;
 
@@ -87,7 +90,10 @@ final class ContourCells {
         return (on[c] | off[c]) != 0;
     }
 
-    /** Twice the counts of an event's own polarity around a cell, less those of the other; 0 beyond the box. */
+    /**
+     * Twice the sixteenths in which events of an event's own polarity fell around a cell, less those of the other: -16
+     * to 32; 0 beyond the box.
+     */
     int support(int cx, int cy, int polarity) {
         if (!isInBox(cx, cy)) {
             return 0;
@@ -95,27 +101,31 @@ final class ContourCells {
         int c = cy * width + cx;
         short[] own = polarity > 0 ? on : off;
         short[] other = polarity > 0 ? off : on;
-        return 2 * around(own, c) - around(other, c);
+        return 2 * Integer.bitCount(around(own, c)) - Integer.bitCount(around(other, c));
     }
 
     /** The box keeps one cell from the grid's border, so that the neighbours exist. */
-    private int around(short[] count, int c) {
+    private int around(short[] seen, int c) {
         int up = c - width;
         int down = c + width;
-        return count[up - 1] + count[up] + count[up + 1] + count[c - 1] + count[c] + count[c + 1]
-            + count[down - 1] + count[down] + count[down + 1];
+        return ALL & (seen[up - 1] | seen[up] | seen[up + 1] | seen[c - 1] | seen[c] | seen[c + 1]
+            | seen[down - 1] | seen[down] | seen[down + 1]);
     }
 
-    /** Adds to the count of the cell at a place in the frame, unless it lies at the border of the grid or beyond. */
-    void count(double x, double y, int polarity, int weight) {
+    /**
+     * Notes an event on the cell at a place in the frame, unless that lies at the border of the grid or beyond.
+     *
+     * @param age in sixteenths, 0 for an event of now; from 16 on it is none
+     */
+    void see(double x, double y, int polarity, int age) {
         int cx = cell(x);
         int cy = cell(y);
-        if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1) {
+        if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1 || age >= SIXTEENTHS) {
             return;
         }
         int c = cy * width + cx;
-        short[] counts = polarity > 0 ? on : off;
-        counts[c] = (short) Math.min(MOST, counts[c] + weight);
+        short[] own = polarity > 0 ? on : off;
+        own[c] |= (short) (NEWEST >> age);
         include(cx, cy);
     }
 
@@ -134,8 +144,9 @@ final class ContourCells {
         }
     }
 
-    /** Lets all counts fade so many times. */
-    void fade(int times) {
+    /** Lets so many sixteenths pass. */
+    void pass(int sixteenths) {
+        int shift = Math.min(sixteenths, SIXTEENTHS);
         int fromX = minX;
         int toX = maxX;
         int fromY = minY;
@@ -144,17 +155,15 @@ final class ContourCells {
         for (int cy = fromY; cy <= toY; cy++) {
             int from = cy * width + fromX;
             int to = cy * width + toX;
-            for (int k = 0; k < times; k++) {
-                fade(on, from, to);
-                fade(off, from, to);
-            }
+            pass(on, from, to, shift);
+            pass(off, from, to, shift);
             includeRow(cy, fromX, toX);
         }
     }
 
-    private static void fade(short[] count, int from, int to) {
+    private static void pass(short[] seen, int from, int to, int shift) {
         for (int c = from; c <= to; c++) {
-            count[c] = (short) (count[c] - (count[c] + (1 << FADING_BITS) - 1 >> FADING_BITS));
+            seen[c] = (short) ((seen[c] & ALL) >> shift);
         }
     }
 
@@ -174,7 +183,7 @@ final class ContourCells {
         include(last, cy);
     }
 
-    /** Takes over, into empty cells, the counts of others that many cells farther to the right and down. */
+    /** Takes over, into empty cells, what was seen by others that many cells farther to the right and down. */
     void takeShifted(ContourCells from, int dx, int dy) {
         for (int cy = Math.max(1, from.minY - dy); cy <= Math.min(height - 2, from.maxY - dy); cy++) {
             for (int cx = Math.max(1, from.minX - dx); cx <= Math.min(width - 2, from.maxX - dx); cx++) {
@@ -220,13 +229,13 @@ final class ContourCells {
         }
     }
 
-    /** Adds the counts of others. */
+    /** Adds what was seen by others. */
     void absorb(ContourCells other) {
         for (int cy = other.minY; cy <= other.maxY; cy++) {
             for (int cx = other.minX; cx <= other.maxX; cx++) {
                 int c = cy * width + cx;
-                on[c] = (short) Math.min(MOST, on[c] + other.on[c]);
-                off[c] = (short) Math.min(MOST, off[c] + other.off[c]);
+                on[c] |= other.on[c];
+                off[c] |= other.off[c];
             }
         }
         if (!other.isEmpty()) {

@@ -128,6 +128,11 @@ public final class TrackPlane {
         return contour.threshold();
     }
 
+    /** Support below which it is doubtful whether an event belongs. */
+    double sureSupport() {
+        return contour.sureSupport();
+    }
+
     long lifetimeUs() {
         return lifetimeUs;
     }
@@ -139,7 +144,7 @@ public final class TrackPlane {
 
     /** Adds an event of the structure's past, before its motion is measured for the first time. */
     public void addPast(int x, int y, long timeUs, int polarity) {
-        contour.add(x, y, timeUs, polarity);
+        contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), lifetimeUs);
         memory.see(x, y, timeUs);
         live.add(x, y, timeUs, polarity, Claim.OWN, memory.tile(x, y, timeUs));
     }

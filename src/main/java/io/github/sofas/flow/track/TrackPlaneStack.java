@@ -16,9 +16,8 @@ import java.util.function.Consumer;
 /**
  * The structures that are tracked (paper, section Algorithm).
  *
- * <p>Ours: an event is not offered to the planes in turn but goes to the one that predicts it best, at the greatest
- * rate: its support there over the time that the support was gathered in. In turn, the older of two crossing structures
- * would take the other's events; by support alone, the slower one would.
+ * <p>Ours: an event is not offered to the planes in turn but goes to the one that explains most of its past. In turn,
+ * the older of two crossing structures would take the other's events.
  */
 public final class TrackPlaneStack {
     /** Most events that a track plane's motion is measured from. */
@@ -28,7 +27,7 @@ public final class TrackPlaneStack {
     /** Support of the second best plane, as a share of the best, that hides the velocity: crossing objects pull. */
     private static final double SHARED_SCORE = 0.5;
     /** Support below this many thresholds is weak. */
-    private static final int WEAK = 4;
+    private static final int WEAK = 2;
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
@@ -40,6 +39,7 @@ public final class TrackPlaneStack {
     private LiveEvents spare = new LiveEvents();
     private final Contour.Spare spareCells;
     private final CommonMotion common = new CommonMotion();
+    private final Doubts doubts;
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
@@ -53,56 +53,65 @@ public final class TrackPlaneStack {
         this.ended = ended;
         this.measured = measured;
         spareCells = new Contour.Spare(sensor);
+        doubts = new Doubts(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
     }
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more ring, for merging
-        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor);
+        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
+            + Doubts.bytes(sensor);
     }
 
     /**
      * Gives an event to the plane that it belongs to, and labels it with the motion that the plane had before.
      *
-     * @param output takes flow and segment as its entry i where a plane takes the event
-     * @return whether one did
+     * @param output takes flow and segment as its entry i; none where no plane takes the event
+     * @return whether the event is explained; if not, it may be one of a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         TrackPlane best = null;
-        double bestRate = 0;
-        double secondRate = 0;
+        int most = 0;
+        int second = 0;
         for (int k = 0; k < size; k++) {
             TrackPlane plane = planes[k];
             int support = plane.support(x, y, timeUs, polarity);
             if (support >= plane.threshold()) {
-                double rate = (double) support / plane.lifetimeUs();
-                if (rate > bestRate) {
-                    secondRate = bestRate;
+                if (support > most) {
+                    second = most;
                     best = plane;
-                    bestRate = rate;
-                } else if (rate > secondRate) {
-                    secondRate = rate;
+                    most = support;
+                } else if (support > second) {
+                    second = support;
                 }
             }
         }
+        boolean explained = true;
         Claim claim;
         if (best == null) {
             best = remembering(x, y, timeUs);
             claim = Claim.REMEMBERED;
         } else {
-            boolean isShared = secondRate > SHARED_SCORE * bestRate
-                || bestRate * best.lifetimeUs() < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
+            boolean doubtful = most < best.sureSupport();
+            explained = !(doubts.note(x, y, doubtful) && doubtful);
+            boolean isShared = second > SHARED_SCORE * most
+                || most < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
             claim = isShared ? Claim.SHARED : Claim.OWN;
         }
         if (best == null) {
+            write(output, i, 0, 0, 0);
             return false;
         }
-        output.segment[i] = best.id();
-        output.vxPxPerS[i] = best.motion().vxAt(x, y, timeUs);
-        output.vyPxPerS[i] = best.motion().vyAt(x, y, timeUs);
+        write(output, i, best.id(), best.motion().vxAt(x, y, timeUs), best.motion().vyAt(x, y, timeUs));
         best.take(x, y, timeUs, polarity, claim, fit);
-        return true;
+        return explained;
+    }
+
+    private static void write(FlowOutput output, int i, int id, float vx, float vy) {
+        output.segment[i] = id;
+        output.vxPxPerS[i] = vx;
+        output.vyPxPerS[i] = vy;
     }
 
     /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
@@ -234,6 +243,7 @@ public final class TrackPlaneStack {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
+        doubts.reset();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }

@@ -8,7 +8,7 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
 import org.junit.Test;
 
-/** Counts by cell at their limits; what they mean for a contour is in {@link ContourTest}. */
+/** Cells at their limits; what they mean for a contour is in {@link ContourTest}. */
 public class ContourCellsTest {
     /** With 24 cells around it: 58 columns, 54 rows. */
     private static final SensorSize SENSOR = new SensorSize(10, 6);
@@ -31,13 +31,13 @@ public class ContourCellsTest {
     public void placesAtTheBorderOfTheGridHoldNothing() {
         double[][] places = {{-24, 3}, {33, 3}, {5, -24}, {5, 29}, {-1e9, 3}, {5, 1e9}};
         for (double[] place : places) {
-            cells.count(place[0], place[1], 1, 32);
+            cells.see(place[0], place[1], 1, 0);
             assertTrue(place[0] + ", " + place[1], cells.isEmpty());
         }
-        cells.count(-23, -23, 1, 32);
-        cells.count(32, 28, 1, 32);
-        assertEquals(64, support(-23, -23, 1));
-        assertEquals(64, support(32, 28, 1));
+        cells.see(-23, -23, 1, 0);
+        cells.see(32, 28, 1, 0);
+        assertEquals(2, support(-23, -23, 1));
+        assertEquals(2, support(32, 28, 1));
         assertEquals(1, cells.minX());
         assertEquals(56, cells.maxX());
         assertEquals(1, cells.minY());
@@ -45,34 +45,50 @@ public class ContourCellsTest {
     }
 
     @Test
-    public void countsStayAtTheMost() {
-        for (int i = 0; i < 3; i++) {
-            cells.count(5, 3, -1, 20_000);
+    public void supportIsAtMostThatOfAllSixteenths() {
+        for (int age = 0; age < 20; age++) {
+            cells.see(5, 3, -1, age);
+            cells.see(6, 3, -1, age);
         }
-        assertEquals(2 * 32_767, support(5, 3, -1));
+        assertEquals(2 * 16, support(5, 3, -1));
+        assertEquals(-16, support(5, 3, 1));
         ContourCells others = new ContourCells(SENSOR);
-        others.count(5, 3, -1, 20_000);
+        others.see(5, 3, -1, 0);
         cells.absorb(others);
-        assertEquals(2 * 32_767, support(5, 3, -1));
+        assertEquals(2 * 16, support(5, 3, -1));
     }
 
     @Test
-    public void fadingRoundsUpSoThatNothingStaysForEver() {
-        cells.count(5, 3, 1, 2);
-        cells.fade(1);
-        assertEquals(2, support(5, 3, 1));
-        cells.fade(1);
+    public void olderThanTheLifetimeIsNothing() {
+        cells.see(5, 3, 1, 16);
+        assertTrue(cells.isEmpty());
+        // the oldest sixteenth passes with the next, the newest with the sixteenth
+        cells.see(5, 3, 1, 15);
+        cells.see(5, 3, -1, 0);
+        assertEquals(2 - 1, support(5, 3, 1));
+        cells.pass(1);
+        assertEquals(-1, support(5, 3, 1));
+        cells.pass(14);
+        assertEquals(2, support(5, 3, -1));
+        cells.pass(1);
+        assertTrue(cells.isEmpty());
+    }
+
+    @Test
+    public void allPassesAtOnceAfterALongTime() {
+        cells.see(5, 3, 1, 0);
+        cells.pass(1_000_000);
         assertTrue(cells.isEmpty());
     }
 
     @Test
     public void whatIsShiftedOutOfTheGridIsLost() {
-        cells.count(0, 3, 1, 32);
-        cells.count(9, 3, -1, 16);
+        cells.see(0, 3, 1, 0);
+        cells.see(9, 3, -1, 8);
         ContourCells shifted = new ContourCells(SENSOR);
         // 24 columns to the left: the first lies at the border by then, the second at -15
         shifted.takeShifted(cells, 24, 1);
-        assertEquals(32, shifted.support(ContourCells.cell(-15), ContourCells.cell(2), -1));
+        assertEquals(2, shifted.support(ContourCells.cell(-15), ContourCells.cell(2), -1));
         assertEquals(8, shifted.minX());
         assertEquals(10, shifted.maxX());
         assertFalse(shifted.isOccupied(0, ContourCells.cell(2)));
@@ -92,7 +108,7 @@ public class ContourCellsTest {
             turning.moveReference(timeUs);
             frame.follow(turning, 3);
         }
-        cells.count(8, 3, 1, 32);
+        cells.see(8, 3, 1, 0);
         ContourCells turned = new ContourCells(SENSOR);
         turned.takeTurned(cells, frame);
         assertTrue(turned.isOccupied(ContourCells.cell(5), ContourCells.cell(6)));

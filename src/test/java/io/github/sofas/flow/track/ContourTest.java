@@ -10,10 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.Test;
 
-/** Counts of a contour by hand: an event counts 32, and supports by twice that where its polarity is the same. */
+/** A contour by hand: each sixteenth of the lifetime in which events of its polarity fell supports an event by two. */
 public class ContourTest {
     private static final SensorSize SENSOR = new SensorSize(128, 96);
-    /** Counts fade each 10 ms. */
+    /** A sixteenth has 10 ms. */
     private static final long LIFETIME_US = 160_000;
 
     private final Contour.Spare spare = new Contour.Spare(SENSOR);
@@ -61,55 +61,83 @@ public class ContourTest {
         for (int dy = -2; dy <= 2; dy++) {
             for (int dx = -2; dx <= 2; dx++) {
                 boolean near = Math.max(Math.abs(dx), Math.abs(dy)) <= 1;
-                assertEquals(near ? 64 : 0, contour.support(30 + dx, 20 + dy, 5, 1));
+                assertEquals(near ? 2 : 0, contour.support(30 + dx, 20 + dy, 5, 1));
             }
         }
-        contour.add(31, 21, 0, 1);
-        assertEquals(128, contour.support(30, 20, 5, 1));
-        assertEquals(64, contour.support(32, 22, 5, 1));
+    }
+
+    @Test
+    public void sixteenthsCountAndNotEvents() {
+        startAtRest();
+        addBlock(29, 19, 3);
+        assertEquals(2, contour.support(30, 20, 5, 1));
+        contour.fade(10_000, LIFETIME_US);
+        contour.add(31, 21, 10_000, 1);
+        assertEquals(4, contour.support(30, 20, 10_005, 1));
+        assertEquals(2, contour.support(29, 20, 10_005, 1));
+    }
+
+    @Test
+    public void whatCrossesACellSupportsLessThanWhatStaysOnIt() {
+        // an edge of one pixel at rest in the frame, one event each 10 ms; another crosses at 1 px each 10 ms, ten
+        // events at a time
+        startAtRest();
+        for (int k = 0; k < 16; k++) {
+            contour.fade(k * 10_000, LIFETIME_US);
+            contour.add(30, 20, k * 10_000, 1);
+            for (int i = 0; i < 10; i++) {
+                contour.add(50 + k, 20, k * 10_000, 1);
+            }
+        }
+        assertEquals(2 * 16, contour.support(30, 20, 155_000, 1));
+        assertEquals(2 * 2, contour.support(65, 20, 155_000, 1));
     }
 
     @Test
     public void otherPolarityCountsAgainstByHalf() {
         startAtRest();
-        for (int i = 0; i < 3; i++) {
-            contour.add(30, 20, 0, 1);
+        for (int k = 0; k < 3; k++) {
+            contour.fade(k * 10_000, LIFETIME_US);
+            contour.add(30, 20, k * 10_000, 1);
         }
-        assertEquals(192, contour.support(30, 20, 5, 1));
-        assertEquals(-96, contour.support(30, 20, 5, -1));
-        // what flickers: three of each
-        for (int i = 0; i < 3; i++) {
-            contour.add(30, 20, 0, -1);
+        assertEquals(6, contour.support(30, 20, 20_005, 1));
+        assertEquals(-3, contour.support(30, 20, 20_005, -1));
+        // what flickers: as many of each
+        for (int k = 3; k < 6; k++) {
+            contour.fade(k * 10_000, LIFETIME_US);
+            contour.add(30, 20, k * 10_000, -1);
         }
-        assertEquals(192 - 96, contour.support(30, 20, 5, 1));
-        assertEquals(192 - 96, contour.support(30, 20, 5, -1));
+        assertEquals(6 - 3, contour.support(30, 20, 50_005, 1));
+        assertEquals(6 - 3, contour.support(30, 20, 50_005, -1));
     }
 
     @Test
-    public void oneFreshEventPutsAnotherOnTheContour() {
+    public void eventsOfTwoSixteenthsPutAnotherOnTheContour() {
         startAtRest();
         contour.add(30, 20, 0, 1);
-        assertTrue(contour.support(31, 20, 0, 1) >= contour.threshold());
+        contour.add(30, 20, 5_000, 1);
+        assertFalse(contour.support(31, 20, 5_000, 1) >= contour.threshold());
         contour.fade(10_000, LIFETIME_US);
-        assertFalse(contour.support(31, 20, 0, 1) >= contour.threshold());
+        contour.add(30, 20, 10_000, 1);
+        assertTrue(contour.support(31, 20, 10_000, 1) >= contour.threshold());
     }
 
     @Test
-    public void countsFadeByAnEighthEachSixteenthOfTheLifetime() {
+    public void sixteenthsPassWithTheTime() {
         startAtRest();
-        contour.add(30, 20, 0, 1);
-        contour.fade(9_999, LIFETIME_US);
-        assertEquals(64, contour.support(30, 20, 5, 1));
-        // 32 less 4 are 28, less 3.5 rounded up are 24, less 3 are 21, less 2.6 rounded up are 18
-        contour.fade(10_000, LIFETIME_US);
-        assertEquals(56, contour.support(30, 20, 5, 1));
-        contour.fade(19_999, LIFETIME_US);
-        assertEquals(56, contour.support(30, 20, 5, 1));
-        contour.fade(20_000, LIFETIME_US);
-        assertEquals(48, contour.support(30, 20, 5, 1));
-        // both that are due at once
-        contour.fade(40_000, LIFETIME_US);
-        assertEquals(36, contour.support(30, 20, 5, 1));
+        for (int k = 0; k < 20; k++) {
+            contour.fade(k * 10_000, LIFETIME_US);
+            contour.add(30, 20, k * 10_000, 1);
+        }
+        // four of twenty are older than the lifetime
+        assertEquals(32, contour.support(30, 20, 190_005, 1));
+        contour.fade(199_999, LIFETIME_US);
+        assertEquals(32, contour.support(30, 20, 190_005, 1));
+        contour.fade(200_000, LIFETIME_US);
+        assertEquals(30, contour.support(30, 20, 190_005, 1));
+        // three that are due at once
+        contour.fade(230_000, LIFETIME_US);
+        assertEquals(24, contour.support(30, 20, 190_005, 1));
     }
 
     @Test
@@ -141,9 +169,8 @@ public class ContourTest {
     public void boxShrinksToWhatHasNotFaded() {
         startAtRest();
         contour.add(30, 20, 0, 1);
-        for (int i = 0; i < 20; i++) {
-            contour.add(45, 27, 0, 1);
-        }
+        contour.fade(10_000, LIFETIME_US);
+        contour.add(45, 27, 10_000, 1);
         contour.fade(160_000, LIFETIME_US);
         assertEquals(45, contour.left(160_000), 0);
         assertEquals(45, contour.right(160_000), 0);
@@ -164,13 +191,13 @@ public class ContourTest {
     public void contourTravelsWithTheStructure() {
         start(100, 0);
         addBlock(30, 20, 3);
-        // nine of 64, 5 px on
-        assertEquals(576, contour.support(36, 21, 50_000, 1));
+        // 5 px on
+        assertEquals(2, contour.support(36, 21, 50_000, 1));
         assertEquals(0, contour.support(31, 21, 50_000, 1));
     }
 
     @Test
-    public void countsAreKeptWhenTheFrameIsAnchoredAfterTwelvePixels() {
+    public void cellsAreKeptWhenTheFrameIsAnchoredAfterTwelvePixels() {
         start(100, 0);
         addBlock(30, 20, 3);
         contour.add(31, 21, 0, -1);
@@ -185,7 +212,8 @@ public class ContourTest {
             assertEquals(32 + travelled, contour.right(timeUs), 1e-9);
             assertEquals(22, contour.bottom(timeUs), 1e-9);
         }
-        assertEquals(9 * 64 - 32, before);
+        assertEquals(2 - 1, before);
+        assertEquals(2, beside);
     }
 
     @Test
@@ -197,7 +225,7 @@ public class ContourTest {
             followTo(i * 62_000);
         }
         // from column 11 to 110.2
-        assertEquals(576, contour.support(110, 21, 992_000, 1));
+        assertEquals(2, contour.support(110, 21, 992_000, 1));
     }
 
     @Test
@@ -208,7 +236,7 @@ public class ContourTest {
         followTo(100_000);
         motion.vx = 200;
         contour.follow(motion);
-        assertEquals(576, contour.support(3, 21, 200_000, 1));
+        assertEquals(2, contour.support(3, 21, 200_000, 1));
     }
 
     /** Two blocks of 9 px, 20 px left and right of the centre, whose radius is measured. */
@@ -226,7 +254,7 @@ public class ContourTest {
     }
 
     @Test
-    public void innerCellsOfWhatTurnsKeepTheirCounts() {
+    public void innerCellsOfWhatTurnsAreKept() {
         // 0.8 rad about (60, 40): from (80, 40) to (60 + 20 * 0.69671, 40 + 20 * 0.71736) = (73.9, 54.3), 15.6 px off
         startAtRest();
         addDumbbell();
@@ -234,13 +262,13 @@ public class ContourTest {
         for (long timeUs = 0; timeUs <= 100_000; timeUs += 10_000) {
             followTo(timeUs);
         }
-        assertEquals(576, contour.support(74, 54, 100_000, 1));
-        assertEquals(576, contour.support(46, 26, 100_000, 1));
+        assertEquals(2, contour.support(74, 54, 100_000, 1));
+        assertEquals(2, contour.support(46, 26, 100_000, 1));
         assertEquals(0, contour.support(84, 40, 100_000, 1));
     }
 
     @Test
-    public void innerCellsOfWhatGrowsKeepTheirCounts() {
+    public void innerCellsOfWhatGrowsAreKept() {
         // exp(0.5) = 1.6487: from (80, 40) to (92.97, 40), 13 px off
         startAtRest();
         addDumbbell();
@@ -248,7 +276,7 @@ public class ContourTest {
         for (long timeUs = 0; timeUs <= 100_000; timeUs += 10_000) {
             followTo(timeUs);
         }
-        assertEquals(576, contour.support(93, 40, 100_000, 1));
+        assertEquals(2, contour.support(93, 40, 100_000, 1));
         assertEquals(60 - 24 * 1.6487, contour.left(100_000), 1);
         assertEquals(60 + 24 * 1.6487, contour.right(100_000), 1);
     }
@@ -263,15 +291,18 @@ public class ContourTest {
         other.start(its);
         other.add(41, 11, 0, 1);
         other.add(50, 11, 0, -1);
+        contour.fade(10_000, LIFETIME_US);
+        other.fade(10_000, LIFETIME_US);
+        other.add(42, 12, 10_000, 1);
         // both along their own for 0.1 s: (41, 11) is at (41, 21), as the middle of the block is
         motion.moveReference(100_000);
         contour.absorb(other, motion);
-        assertEquals(576 + 64, contour.support(41, 21, 100_000, 1));
-        assertEquals(64, contour.support(50, 21, 100_000, -1));
+        assertEquals(2 + 2, contour.support(41, 21, 100_000, 1));
+        assertEquals(2, contour.support(50, 21, 100_000, -1));
         assertEquals(40, contour.left(100_000), 1);
         assertEquals(50, contour.right(100_000), 1);
         // from now on along the common one
-        assertEquals(576 + 64, contour.support(46, 21, 150_000, 1));
+        assertEquals(2 + 2, contour.support(46, 21, 150_000, 1));
     }
 
     @Test
@@ -289,24 +320,28 @@ public class ContourTest {
         other.follow(motion);
         contour.add(56, 60, 260_000, -1);
         other.add(56, 20, 260_000, -1);
-        assertEquals(-32, contour.support(56, 61, 260_000, 1));
-        assertEquals(576, contour.support(57, 21, 260_000, 1));
-        assertEquals(64, other.support(56, 60, 260_000, 1));
-        assertEquals(-32, other.support(56, 21, 260_000, 1));
+        assertEquals(-1, contour.support(56, 61, 260_000, 1));
+        assertEquals(2, contour.support(57, 21, 260_000, 1));
+        assertEquals(2, other.support(56, 60, 260_000, 1));
+        assertEquals(-1, other.support(56, 21, 260_000, 1));
     }
 
     @Test
-    public void redrawnContourHasTheLiveEventsAsIfFadedSince() {
-        // 100 px/s: an event of now counts 32, one of half a lifetime ago half, one of a lifetime ago a third
+    public void redrawnContourHasTheLiveEventsOfTheLifetime() {
+        // 100 px/s: events of a lifetime ago, of the eighth sixteenth, and of now
         start(100, 0);
         addBlock(90, 60, 3);
         motion.moveReference(160_000);
-        LiveEvents live = live(new int[] {20, 20, 0}, new int[] {40, 40, 80_000}, new int[] {60, 60, 160_000});
+        LiveEvents live = live(new int[] {20, 20, 0}, new int[] {40, 40, 85_000}, new int[] {60, 60, 160_000});
         contour.draw(live, motion, LIFETIME_US);
-        assertEquals(2 * 10, contour.support(36, 20, 160_000, 1));
-        assertEquals(2 * 16, contour.support(48, 40, 160_000, 1));
-        assertEquals(2 * 32, contour.support(60, 60, 160_000, 1));
+        assertEquals("too old", 0, contour.support(36, 20, 160_000, 1));
+        assertEquals(2, contour.support(48, 40, 160_000, 1));
+        assertEquals(2, contour.support(60, 60, 160_000, 1));
         assertEquals("what was there", 0, contour.support(107, 61, 160_000, 1));
+        // nine sixteenths later the one of the eighth has passed
+        contour.fade(250_000, LIFETIME_US);
+        assertEquals(0, contour.support(48, 40, 160_000, 1));
+        assertEquals(2, contour.support(60, 60, 160_000, 1));
     }
 
     @Test
@@ -326,21 +361,24 @@ public class ContourTest {
     }
 
     @Test
-    public void thresholdIsAShareOfTheMeanSupport() {
-        // ten events a cell: each has a support of 640, of which 0.15 are 96
+    public void thresholdsAreSharesOfTheMeanSupport() {
+        // a cell seen in ten sixteenths: a support of 20, of which 0.25 are 5 and 0.6 are 12
         startAtRest();
         LiveEvents live = new LiveEvents();
-        for (int i = 0; i < 10; i++) {
-            contour.add(30, 20, 0, 1);
-            live.add(30, 20, 0, 1, Claim.OWN, 0);
+        for (int k = 0; k < 10; k++) {
+            contour.fade(k * 10_000, LIFETIME_US);
+            contour.add(30, 20, k * 10_000, 1);
+            live.add(30, 20, k * 10_000, 1, Claim.OWN, 0);
         }
-        assertEquals(64, contour.threshold());
+        assertEquals(4, contour.threshold());
+        assertTrue("nothing is sure before it was measured", contour.sureSupport() > 32);
         contour.measure(live, motion);
-        assertEquals(96, contour.threshold());
-        // never less than two events of half their count
+        assertEquals(5, contour.threshold());
+        assertEquals(12, contour.sureSupport(), 1e-9);
+        // never less than two sixteenths
         contour.draw(live(new int[] {30, 20, 0}), motion, LIFETIME_US);
         contour.measure(live(new int[] {30, 20, 0}), motion);
-        assertEquals(64, contour.threshold());
+        assertEquals(4, contour.threshold());
     }
 
     @Test
@@ -350,8 +388,11 @@ public class ContourTest {
         contour.add(31, 20, 0, 1);
         // on a cell with too little around it, and beyond the border by then
         contour.add(60, 60, 0, 1);
-        contour.fade(10_000, LIFETIME_US);
         contour.add(125, 80, 0, 1);
+        contour.fade(10_000, LIFETIME_US);
+        contour.add(31, 20, 10_000, 1);
+        contour.add(32, 20, 10_000, 1);
+        contour.add(126, 80, 10_000, 1);
         List<String> shown = new ArrayList<>();
         contour.show(50_000, (x, y) -> shown.add(x + "," + y));
         assertEquals(List.of("35,20", "36,20"), shown);
@@ -364,6 +405,6 @@ public class ContourTest {
         contour.wipe();
         assertTrue(contour.isEmpty());
         contour.add(30, 20, 0, 1);
-        assertEquals(64, contour.support(31, 21, 0, 1));
+        assertEquals(2, contour.support(31, 21, 0, 1));
     }
 }

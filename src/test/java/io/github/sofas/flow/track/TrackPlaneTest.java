@@ -246,8 +246,8 @@ public class TrackPlaneTest {
         }
         plane.recentre(fit, nowUs);
         assertEquals(100, plane.motion().vx, 10);
-        // all within a cell of the next column: 18 events, faded to half to a whole by their age
-        assertTrue(plane.support(26, 45, nowUs, 1) > 18 * 32);
+        // all within a cell of the next column, each in another sixteenth of the lifetime
+        assertEquals(2 * 6, plane.support(26, 45, nowUs, 1));
         assertEquals(0, plane.support(23, 45, nowUs, 1));
     }
 
