@@ -184,7 +184,8 @@ public class MotionChangeTest {
 
     @Test
     public void changeIsBelievedAsFarAsItPassesTheNoise() {
-        // 0.2 rad/s shift the ends by a pixel; as much as the noise of 0.1 px half counts, ten times as much all but 1 %
+        // 0.2 rad/s shift the ends by a pixel: as much as the noise of 0.1 px half counts, ten times as
+        // much 100 parts of 101
         assertEquals(0.01, MotionChange.believed(0.02, 0.2, 0.1), 1e-12);
         assertEquals(-0.01, MotionChange.believed(-0.02, 0.2, 0.1), 1e-12);
         assertEquals(0.2 * 100 / 101, MotionChange.believed(0.2, 0.2, 0.1), 1e-12);
