@@ -48,7 +48,7 @@ public class ArchitectureTest {
         "fit", Set.of("motion"),
         "search", Set.of("motion", "fit"),
         "track", Set.of("motion", "fit"),
-        "smooth", Set.of("motion"),
+        "smooth", Set.of("motion", "fit"),
         "paper", Set.of("motion"));
 
     /** What the rooms see of flow itself: the words of the API, not what wires the rooms. */

@@ -104,7 +104,7 @@ public final class SmoothedSofas implements Labelling {
                 + " but was " + lookAheadUs);
         }
         this.ended = Objects.requireNonNull(ended, "ended");
-        smoother = new Smoother(sensor, lookAheadUs);
+        smoother = new Smoother(sensor, parameters.track(), lookAheadUs);
         sofas = new Sofas(sensor, parameters, ending::add, smoother::add);
     }
 

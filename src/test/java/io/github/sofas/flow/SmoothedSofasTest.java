@@ -167,6 +167,14 @@ public class SmoothedSofasTest {
     }
 
     @Test
+    public void whatComesNearGrowsWithoutLag() {
+        SimulatedRecording film = SimulatedRecording.of(Scene.COMING_NEAR, SimulationOptions.defaults());
+        Figures causal = figures(film, Labelling.atOnce(new Sofas(film.sensor(), SofasParameters.defaults())));
+        Figures ahead = figures(film, new SmoothedSofas(film.sensor(), SofasParameters.defaults(), 500_000));
+        assertTrue(causal.error + " at once, " + ahead.error + " ahead", ahead.error < 0.6 * causal.error);
+    }
+
+    @Test
     public void segmentsCountTheEventsThatWereGivenBack() {
         List<Segment> segments = new ArrayList<>();
         SmoothedSofas sofas = new SmoothedSofas(SENSOR, SofasParameters.defaults(), LOOK_AHEAD_US, segments::add);

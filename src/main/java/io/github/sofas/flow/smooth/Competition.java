@@ -194,10 +194,10 @@ final class Competition {
         }
         map.clear();
         for (int k = index; k >= 0 && slices.get(k).untilUs > fromUs; k--) {
-            add(path, slices.get(k), b + sideUs);
+            add(path, slices.get(k), slices.get(index), b + sideUs);
         }
         for (int k = index + 1; k < slices.size() && slices.get(k).fromUs < b + sideUs; k++) {
-            add(path, slices.get(k), b + sideUs);
+            add(path, slices.get(k), slices.get(index), b + sideUs);
         }
         ask(path, slices.get(index), a, b, shows);
     }
@@ -206,8 +206,8 @@ final class Competition {
         return Math.min(cos.length - 1, (int) ((timeUs - fromUs) * stepsPerUs));
     }
 
-    /** Adds the events of a slice to the map that fall in the box. */
-    private void add(SegmentPath path, Slice slice, long untilUs) {
+    /** Adds the events of a slice to the map that fall in the box, and may meet open ones of another. */
+    private void add(SegmentPath path, Slice slice, Slice asked, long untilUs) {
         // where the box is on the sensor during the slice
         int first = step(Math.max(fromUs, slice.fromUs));
         int last = step(Math.min(untilUs, slice.untilUs));
@@ -233,7 +233,10 @@ final class Competition {
         }
         for (int row = tile(t, slice.rows()); row <= tile(d, slice.rows()); row++) {
             for (int column = tile(l, slice.columns()); column <= tile(r, slice.columns()); column++) {
-                addTile(path, slice, row * slice.columns() + column, untilUs);
+                int tile = row * slice.columns() + column;
+                if (asked.isNearOpen(tile)) {
+                    addTile(path, slice, tile, untilUs);
+                }
             }
         }
     }

@@ -12,6 +12,12 @@ import java.util.List;
 final class SegmentPath {
     private static final int FIRST_CAPACITY = 64;
 
+    /** Travel that is looked at on either side of what is measured anew, and from one to the next, in px. */
+    private static final double REFINED_PX = 8;
+    private static final double REFINED_EVERY_PX = 4;
+    /** Shift by rotation and growth on either side below which nothing is measured anew. */
+    private static final double LEAST_SHIFT_PX = 0.25;
+
     private final int id;
     /** In order of time. */
     private final List<Motion> knots = new ArrayList<>();
@@ -60,6 +66,44 @@ final class SegmentPath {
         knots.add(knot);
         newestUs = Math.max(newestUs, knot.referenceUs);
         forgetSteady();
+    }
+
+    /** Measures the motion at a time over so many µs on both sides; null where it cannot. */
+    @FunctionalInterface
+    interface Refinement {
+        Motion at(long us, long sideUs);
+    }
+
+    /** Puts knots that are measured anew in the place of those in a slice, where the segment turns or grows. */
+    void refine(Slice slice, long mostSideUs, Refinement refinement) {
+        int k = knotsUntil(slice.fromUs - 1);
+        while (k < knots.size() && knots.get(k).referenceUs < slice.untilUs) {
+            Motion knot = knots.get(k);
+            double radius = radiusIn(slice);
+            double speed = Math.max(knot.speed(radius), 1e-3);
+            long sideUs = (long) Math.min(REFINED_PX / speed * 1e6, mostSideUs);
+            double shift = Math.sqrt(knot.omega * knot.omega + knot.growth * knot.growth) * radius * sideUs * 1e-6;
+            Motion refined = shift < LEAST_SHIFT_PX ? null : refinement.at(knot.referenceUs, sideUs);
+            if (refined == null) {
+                k++;
+                continue;
+            }
+            knot.copyFrom(refined);
+            long untilUs = knot.referenceUs + (long) (REFINED_EVERY_PX / speed * 1e6);
+            k++;
+            int next = k;
+            while (next < knots.size() && knots.get(next).referenceUs < Math.min(untilUs, slice.untilUs)) {
+                next++;
+            }
+            knots.subList(k, next).clear();
+            forgetSteady();
+        }
+    }
+
+    /** About the root of the mean square distance of its events from their middle. */
+    private double radiusIn(Slice slice) {
+        Slice.Box box = slice.box(id);
+        return Math.hypot(box.right - box.left, box.bottom - box.top) / 4;
     }
 
     /** Whether its motion was ever measured. */

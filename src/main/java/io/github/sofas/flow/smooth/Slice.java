@@ -42,6 +42,7 @@ final class Slice {
     private final int[] order;
     private final int[] start;
     private final boolean[] open;
+    private final boolean[] nearOpen;
     private final Map<Integer, Box> boxes = new HashMap<>();
 
     Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs) {
@@ -53,6 +54,7 @@ final class Slice {
         rows = (sensor.height() - 1 >> TILE_BITS) + 1;
         start = new int[columns * rows + 1];
         open = new boolean[columns * rows];
+        nearOpen = new boolean[columns * rows];
         order = sort(window, sensor);
         findOpen(window);
     }
@@ -98,19 +100,39 @@ final class Slice {
             shared[t] = Math.min(others, labelled[t] - others) > SHARED * labelled[t];
         }
         for (int t = 0; t < labelled.length; t++) {
-            int column = t % columns;
-            int row = t / columns;
             int about = 0;
-            boolean near = false;
-            for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
-                for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+            for (int r = firstRow(t); r <= lastRow(t); r++) {
+                for (int c = firstColumn(t); c <= lastColumn(t); c++) {
                     about += labelled[r * columns + c];
-                    near |= shared[r * columns + c];
+                    open[t] |= shared[r * columns + c];
                 }
             }
             int unlabelled = start[t + 1] - start[t] - labelled[t];
-            open[t] = near || unlabelled > UNEXPLAINED * (unlabelled + about / 3.0);
+            open[t] |= unlabelled > UNEXPLAINED * (unlabelled + about / 3.0);
         }
+        for (int t = 0; t < labelled.length; t++) {
+            for (int r = firstRow(t); r <= lastRow(t) && open[t]; r++) {
+                for (int c = firstColumn(t); c <= lastColumn(t); c++) {
+                    nearOpen[r * columns + c] = true;
+                }
+            }
+        }
+    }
+
+    private int firstRow(int tile) {
+        return Math.max(0, tile / columns - 1);
+    }
+
+    private int lastRow(int tile) {
+        return Math.min(rows - 1, tile / columns + 1);
+    }
+
+    private int firstColumn(int tile) {
+        return Math.max(0, tile % columns - 1);
+    }
+
+    private int lastColumn(int tile) {
+        return Math.min(columns - 1, tile % columns + 1);
     }
 
     private int tile(int x, int y) {
@@ -140,6 +162,16 @@ final class Slice {
     /** Whether it is to be decided anew whose the events of a tile are: several may have them, or none has many. */
     boolean isOpen(int tile) {
         return open[tile];
+    }
+
+    /** Whether a tile is open, or one of those around it is: its events may come from there or go there. */
+    boolean isNearOpen(int tile) {
+        return nearOpen[tile];
+    }
+
+    /** Whether any of its events had the label of a segment when it was complete. */
+    boolean has(int segment) {
+        return boxes.containsKey(segment);
     }
 
     /** Where the events of a segment lie; null where it has none. */

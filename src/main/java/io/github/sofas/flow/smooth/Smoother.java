@@ -3,6 +3,7 @@ package io.github.sofas.flow.smooth;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,6 +37,7 @@ public final class Smoother {
     /** By rising id, so that the order does not depend on hashes. */
     private final Map<Integer, SegmentPath> paths = new TreeMap<>();
     private final Competition competition;
+    private final CentredFit fit;
     private long sliceFrom;
     private long sliceFromUs = Long.MIN_VALUE;
     /** Number of the first event that is not labelled for good, and that of the first that was not taken. */
@@ -47,12 +49,14 @@ public final class Smoother {
     /**
      * Makes one that is empty.
      *
+     * @param p what motions may have
      * @param lookAheadUs in µs
      */
-    public Smoother(SensorSize sensor, long lookAheadUs) {
+    public Smoother(SensorSize sensor, SofasParameters.Track p, long lookAheadUs) {
         this.sensor = sensor;
         sliceUs = Math.max(1, lookAheadUs / AHEAD);
         competition = new Competition(sensor, window);
+        fit = new CentredFit(sensor, window, p);
     }
 
     /**
@@ -116,6 +120,7 @@ public final class Smoother {
         slices.add(new Slice(window, sensor, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
         sliceFrom = window.end();
         sliceFromUs = untilUs;
+        refine();
         look(FIRST_LOOK);
         look(AHEAD);
         int done = slices.size() - 1 - AHEAD;
@@ -131,6 +136,20 @@ public final class Smoother {
                 path.forget(oldest.untilUs);
                 return path.newestUs() < oldest.untilUs;
             });
+        }
+    }
+
+    /** Measures anew what turns or grows, in the slice that is labelled next. */
+    private void refine() {
+        int index = slices.size() - 1 - FIRST_LOOK;
+        if (index < 0) {
+            return;
+        }
+        Slice slice = slices.get(index);
+        for (SegmentPath path : paths.values()) {
+            if (path.isMeasured() && slice.has(path.id())) {
+                path.refine(slice, FIRST_LOOK * sliceUs, (us, sideUs) -> fit.measure(path, slices, us, sideUs));
+            }
         }
     }
 

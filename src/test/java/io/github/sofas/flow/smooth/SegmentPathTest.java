@@ -4,7 +4,10 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.Test;
 
 public class SegmentPathTest {
@@ -82,6 +85,55 @@ public class SegmentPathTest {
         path.add(motion(400_000, 200, 0));
         path.at(450_000, at);
         assertEquals(200, at.vx, EXACT);
+    }
+
+    /** A slice from 0.25 to 0.75 s with two events of a segment, 40 px apart: a radius of about 10 px. */
+    private static Slice slice() {
+        EventWindow window = new EventWindow();
+        window.segment[window.add(300_000, 0, 20, 10, 1)] = 1;
+        window.segment[window.add(400_000, 0, 60, 10, 1)] = 1;
+        return new Slice(window, new SensorSize(96, 64), 0, 250_000, 750_000);
+    }
+
+    @Test
+    public void whatTurnsIsMeasuredAnewEveryFourPxOfTravel() {
+        // at 4 rad/s and 10 px it travels 40 px/s: 4 px in 100 ms, and 8 px in 200 ms
+        for (int k = 0; k < 10; k++) {
+            Motion knot = motion(100_000L * k + 20_000, 0, 40);
+            knot.omega = 4;
+            path.add(knot);
+            Motion between = motion(100_000L * k + 60_000, 0, 40);
+            between.omega = 3;
+            path.add(between);
+        }
+        List<Long> measuredUs = new ArrayList<>();
+        path.refine(slice(), 1_000_000, (us, sideUs) -> {
+            measuredUs.add(us);
+            assertEquals(200_000, sideUs, 70_000);
+            Motion measured = motion(us, 0, 40);
+            measured.omega = 4.5;
+            return measured;
+        });
+        assertEquals(260_000, measuredUs.get(0).longValue());
+        assertTrue(measuredUs.size() + " in 500 ms", measuredUs.size() >= 4 && measuredUs.size() <= 5);
+        path.at(500_000, at);
+        assertEquals(4.5, at.omega, EXACT);
+        path.at(820_000, at);
+        assertEquals("outside of the slice", 4, at.omega, EXACT);
+    }
+
+    @Test
+    public void whatOnlyMovesOrCannotBeMeasuredStaysAsItIs() {
+        path.add(motion(300_000, 100, 0));
+        path.refine(slice(), 1_000_000, (us, sideUs) -> {
+            throw new AssertionError("it does not turn");
+        });
+        Motion turning = motion(400_000, 100, 0);
+        turning.omega = 5;
+        path.add(turning);
+        path.refine(slice(), 1_000_000, (us, sideUs) -> null);
+        path.at(400_000, at);
+        assertEquals(5, at.omega, EXACT);
     }
 
     @Test

@@ -1,0 +1,124 @@
+package io.github.sofas.flow.fit;
+
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.motion.Motion;
+
+/**
+ * Steps of a motion, all of its parameters at once, towards the top of the metric over events on both sides of its
+ * reference. What a window on one side confuses, velocity and acceleration, or rotation and its change, are told apart
+ * there, so that less need be taken for noise than in {@link MotionChange}: a step is held back only by a stiffness,
+ * and rotation and growth by what is known of them already.
+ */
+public final class CentredStep {
+    /** Share of the metric per px that a parameter must lose to follow at half the step. */
+    private static final double STIFFNESS = 0.005;
+    /** Distance of the projections that measure a change, at the ends of the window. */
+    private static final double CHANGE_PX = 1.5;
+    /** Shift at the ends of the window by an acceleration that may be noise. */
+    private static final double BEND_PX = 0.07;
+    /** What is known of the velocity across the best known direction, as a share of that, at which it counts half. */
+    private static final double FLAT = 0.2;
+    /** The same of the acceleration. */
+    private static final double FLAT_CHANGE = 0.1;
+    /** Shift at the ends of the window by a rotation and growth that were half sure before. */
+    private static final double KNOWN_PX = 0.1;
+    /** Evidence that makes rotation and growth sure, in standard deviations of the metric. */
+    private static final double SURE_SIGMAS = 0.2;
+    /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
+    private static final double LEAST_RADIUS_PX = 1;
+
+    private final SofasParameters.Track p;
+    private VelocityTop top;
+
+    /** Makes steps with the parameters that a motion may have. */
+    public CentredStep(SofasParameters.Track p) {
+        this.p = p;
+    }
+
+    /** Begins with another motion, of which no step was taken. */
+    public void begin() {
+        top = null;
+    }
+
+    /**
+     * Takes a step.
+     *
+     * @param fit has the events, projected along the motion
+     * @param half half the window in s
+     * @param radius of the structure in px
+     */
+    public void take(MetricFit fit, Motion motion, double half, double radius) {
+        double px = 1 / half; // velocity that shifts both ends of the window by one pixel
+        if (top == null) {
+            fit.frame(px);
+        } else {
+            fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), MetricFit.NEIGHBOUR_LOSS,
+                MetricFit.MIN_STEP_PX * px, MetricFit.MAX_STEP_PX * px);
+        }
+        top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
+        double best = top.bestLoss();
+        // what is known across the best direction, as a share of what is known along it
+        double flatness = (top.lossXx() + top.lossYy() - best) / Math.max(best, Double.MIN_NORMAL);
+        double stiffness = STIFFNESS * top.metric() / (px * px);
+        if (p.acceleration()) {
+            stepAcceleration(fit, motion, half, flatness);
+        }
+        if (radius > LEAST_RADIUS_PX && best > 0) {
+            stepTurnAndGrowth(fit, motion, half, radius, stiffness * radius * radius);
+        }
+        double axisX = top.axisX();
+        double axisY = top.axisY();
+        double along = (top.stepX() * axisX + top.stepY() * axisY) * followed(best, stiffness);
+        double across = (top.stepY() * axisX - top.stepX() * axisY) * shown(flatness, FLAT);
+        motion.vx += along * axisX - across * axisY;
+        motion.vy += along * axisY + across * axisX;
+    }
+
+    private void stepAcceleration(MetricFit fit, Motion motion, double half, double flatness) {
+        double axisX = top.axisX();
+        double axisY = top.axisY();
+        double perPx = 2 / (half * half);
+        double h = perPx * CHANGE_PX;
+        double along = motion.ax * axisX + motion.ay * axisY + fit.fitAcceleration(axisX, axisY, h).step();
+        double across = motion.ay * axisX - motion.ax * axisY + fit.fitAcceleration(-axisY, axisX, h).step();
+        double a = along * shown(Math.abs(along) / perPx, BEND_PX);
+        double b = across * shown(Math.abs(across) / perPx, BEND_PX) * shown(flatness, FLAT_CHANGE);
+        motion.ax = a * axisX - b * axisY;
+        motion.ay = a * axisY + b * axisX;
+    }
+
+    private void stepTurnAndGrowth(MetricFit fit, Motion motion, double half, double radius, double stiffness) {
+        double perPx = 1 / (half * radius);
+        double h = perPx * CHANGE_PX;
+        double turn = 0;
+        double grow = 0;
+        if (p.rotation()) {
+            Parabola rotation = fit.fitRotation(h);
+            turn = rotation.step() * followed(rotation.loss(), stiffness);
+        }
+        if (p.growth()) {
+            Parabola growth = fit.fitGrowth(h);
+            grow = growth.step() * followed(growth.loss(), stiffness);
+        }
+        double known = Math.sqrt(motion.omega * motion.omega + motion.growth * motion.growth) / perPx;
+        double evidence = fit.localEvidence(motion.omega + turn, motion.growth + grow, turn, grow);
+        double sure = evidence > SURE_SIGMAS ? 1 : shown(known, KNOWN_PX);
+        motion.omega += sure * turn;
+        motion.growth += sure * grow;
+        if (p.rotation() && p.acceleration()) {
+            Parabola spin = fit.fitSpin(2 * perPx / half * CHANGE_PX);
+            motion.alpha += sure * spin.step() * followed(spin.loss(), stiffness * half * half / 4);
+        }
+    }
+
+    /** Share of a step that is taken, of a parameter that loses as much. */
+    private static double followed(double loss, double stiffness) {
+        return loss > 0 ? loss / (loss + stiffness) : 0;
+    }
+
+    /** How far something shows, 0 to 1, that shows half at another value. */
+    private static double shown(double value, double half) {
+        double ratio = half / value;
+        return value > 0 ? 1 / (1 + ratio * ratio) : 0;
+    }
+}

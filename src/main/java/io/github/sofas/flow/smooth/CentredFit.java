@@ -1,0 +1,134 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.CentredStep;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+import java.util.List;
+
+/**
+ * Measures the motion of a segment that turns or grows from its events on both sides. The engine takes small rotations
+ * and growths for noise and follows them with a lag, because it knows one side only; its velocities, known better, are
+ * right in the middle of their windows.
+ */
+final class CentredFit {
+    /** Most events that are wanted; twice as many fit. */
+    private static final int WANTED = 4000;
+    private static final int LEAST = 30;
+    private static final int MOST_ON_BOTH = 1900;
+    private static final int ROUNDS = 2;
+    /** Events are projected to be measured in steps of this part of a pixel. */
+    private static final double STEP_PX = 1.0 / 64;
+    /** Of too many events those on some squares of this many px are measured, as a power of two. */
+    private static final int SQUARE_BITS = 3;
+    /** Parts of the window, and those that many events are measured in: events that follow at once show no velocity. */
+    private static final int PARTS = 8;
+    private static final int MEASURED_PARTS = 0b10100101;
+
+    private final EventWindow window;
+    private final MetricFit fit;
+    private final CentredStep step;
+    private final SteppedProjection projection = new SteppedProjection();
+    private final Motion motion = new Motion();
+    private double radius;
+
+    CentredFit(SensorSize sensor, EventWindow window, SofasParameters.Track p) {
+        this.window = window;
+        fit = new MetricFit(sensor.width(), sensor.height(), MetricFit.CELL_PX, 2 * WANTED, MOST_ON_BOTH);
+        step = new CentredStep(p);
+    }
+
+    /**
+     * Measures the motion of a path at a time.
+     *
+     * @param slices those around it, in order
+     * @param sideUs half the window in µs
+     * @return the motion, until the next question; null where there are too few events
+     */
+    Motion measure(SegmentPath path, List<Slice> slices, long us, long sideUs) {
+        path.bending(us, Math.max(1, sideUs / 2), motion);
+        int events = lookAt(path, slices, us, sideUs);
+        if (events < LEAST) {
+            return null;
+        }
+        step.begin();
+        for (int round = 0; round < ROUNDS; round++) {
+            load(path, slices, us, sideUs, events);
+            if (fit.size() < LEAST) {
+                return null;
+            }
+            step.take(fit, motion, sideUs * 1e-6, radius);
+        }
+        return motion;
+    }
+
+    /** Number of the segment's events in the window; puts the centre in their middle. */
+    private int lookAt(SegmentPath path, List<Slice> slices, long us, long sideUs) {
+        int n = 0;
+        double sumX = 0;
+        double sumY = 0;
+        double squares = 0;
+        projection.begin(motion, sideUs, 1, 1);
+        for (Slice slice : slices) {
+            if (slice.untilUs <= us - sideUs || slice.fromUs >= us + sideUs || !slice.has(path.id())) {
+                continue;
+            }
+            for (long i = slice.from; i < slice.until; i++) {
+                int k = window.at(i);
+                if (window.segment[k] == path.id() && Math.abs(window.timeUs[k] - us) < sideUs) {
+                    projection.advance(window.timeUs[k]);
+                    double x = projection.x(window.x[k], window.y[k]);
+                    double y = projection.y(window.x[k], window.y[k]);
+                    n++;
+                    sumX += x;
+                    sumY += y;
+                    squares += x * x + y * y;
+                }
+            }
+        }
+        if (n > 0) {
+            motion.moveCentre(sumX / n, sumY / n);
+            radius = Math.sqrt(Math.max(0, (squares - (sumX * sumX + sumY * sumY) / n) / n));
+        }
+        return n;
+    }
+
+    private void load(SegmentPath path, List<Slice> slices, long us, long sideUs, int events) {
+        fit.clear();
+        boolean many = events > WANTED;
+        // a half of the window, and of that as many squares as have the events that are wanted
+        long share = !many ? Long.MAX_VALUE : (long) (2.0 * WANTED / events * (1L << 32));
+        projection.begin(motion, sideUs, 2 * radius, STEP_PX);
+        for (Slice slice : slices) {
+            if (slice.untilUs <= us - sideUs || slice.fromUs >= us + sideUs || !slice.has(path.id())) {
+                continue;
+            }
+            for (long i = slice.from; i < slice.until && fit.size() < fit.capacity(); i++) {
+                int k = window.at(i);
+                long fromUs = window.timeUs[k] - us;
+                if (window.segment[k] != path.id() || Math.abs(fromUs) >= sideUs
+                        || many && (MEASURED_PARTS >> (fromUs + sideUs) * PARTS / (2 * sideUs) & 1) == 0) {
+                    continue;
+                }
+                projection.advance(window.timeUs[k]);
+                double x = projection.x(window.x[k], window.y[k]);
+                double y = projection.y(window.x[k], window.y[k]);
+                if (!many || isMeasured(x, y, us, share)) {
+                    fit.add((float) x, (float) y, fromUs * 1e-6f, (float) (x - motion.centreX),
+                        (float) (y - motion.centreY), window.polarity[k]);
+                }
+            }
+        }
+    }
+
+    /** Whether the square is measured that a place is on: by chance, others at other times. */
+    private static boolean isMeasured(double x, double y, long us, long share) {
+        long column = (long) Math.floor(x) >> SQUARE_BITS;
+        long row = (long) Math.floor(y) >> SQUARE_BITS;
+        long hash = (column * 0x9E3779B97F4A7C15L ^ row * 0xC2B2AE3D27D4EB4FL ^ us * 0x165667B19E3779F9L)
+            * 0x9E3779B97F4A7C15L;
+        return hash >>> 32 < share;
+    }
+}
