@@ -11,6 +11,8 @@ import io.github.sofas.flow.motion.SteppedProjection;
  *
  * <p>Ours: events are let go by sixteenths of the lifetime instead of one by one, and stay where they are when the
  * motion is known a little better. So a label costs the same at any density, and all else is paid per travel.
+ *
+ * <p>Longer than other classes, because drawing, anchoring and measuring it share frame and cells.
  */
 final class Contour {
     /** Support of two sixteenths: less never puts an event on the contour. */
