@@ -285,7 +285,7 @@ public class StartScriptsTest {
             + "exit " + codeWithoutSpark);
         environment.put("SOFAS_JAVA", java.toString());
         Files.createDirectories(project.resolve("plugins/spark/src/main"));
-        Files.writeString(project.resolve("plugins/spark/build.gradle"), "");
+        Files.copy(Path.of("plugins/spark/build.gradle"), project.resolve("plugins/spark/build.gradle"));
         markBuilt();
     }
 

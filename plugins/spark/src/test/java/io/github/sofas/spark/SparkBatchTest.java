@@ -28,13 +28,20 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.junit.rules.Timeout;
 
 /** Batches on an embedded Spark, against the command {@code run}. */
 public class SparkBatchTest {
     private static final int EVENTS = 20_000;
 
+    /** For processes that never end; each test takes some seconds on a machine that has nothing else to do. */
+    private static final int LONGEST_S = 600;
+
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
+
+    @Rule
+    public final Timeout timeout = Timeout.seconds(LONGEST_S);
 
     private Path root;
     private Path recordings;

@@ -20,14 +20,21 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.junit.rules.Timeout;
 
 /** Batches on a cluster of three processes: Spark's own master and two workers, on the loopback address. */
 public class StandaloneClusterTest {
     private static final int RECORDINGS = 40;
     private static final String LOOPBACK = "127.0.0.1";
 
+    /** For processes that never end; each test takes some seconds on a machine that has nothing else to do. */
+    private static final int LONGEST_S = 600;
+
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
+
+    @Rule
+    public final Timeout timeout = Timeout.seconds(LONGEST_S);
 
     private final List<Submitted> processes = new ArrayList<>();
     private Path root;
