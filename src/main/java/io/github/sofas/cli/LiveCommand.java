@@ -69,6 +69,11 @@ final class LiveCommand implements Callable<Integer> {
     @Option(names = "--duration", paramLabel = "SECONDS", description = "Duration; default: until Ctrl-C.")
     private Double durationS;
 
+    @Option(names = "--delay", paramLabel = "MS",
+        description = "Label each event by what comes up to MS ms after it, too, 4 to 10000, and write it a quarter of "
+            + "that later; default: at once.")
+    private Integer delayMs;
+
     @Option(names = "--record", paramLabel = "FILE",
         description = "Also record the labelled events, as AEDAT 2.0, which jAER and 'run' can read.")
     private Path record;
@@ -151,6 +156,9 @@ final class LiveCommand implements Callable<Integer> {
             + "--udp");
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
+        if (delayMs != null) {
+            method = LookAheadOptions.withLookAhead(method, parameterOptions, "--delay", delayMs, spec);
+        }
         if (!name.equals(String.valueOf(Path.of(name).getFileName())) || name.equals(".") || name.equals("..")
                 || name.isEmpty()) {
             throw usage("--name must be the name of a file, without folders, but was \"" + name + "\"");

@@ -10,6 +10,7 @@ import io.github.sofas.export.RunSummary;
 import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.live.LiveSource;
 import io.github.sofas.recording.Aedat2Writer;
@@ -31,6 +32,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /**
@@ -45,6 +47,7 @@ final class LiveRun {
     /** For methods that need far longer for so many. */
     private static final long WARM_UP_MOST_NS = 4_000_000_000L;
     private static final int WARM_UP_BATCH = 2048;
+    private static final int READ_BATCH = 2048;
     private static final long COMPILER_PAUSE_NS = 150_000_000;
     private static final int COMPILER_LOOKS = 10;
     /** More than segments and summary take. */
@@ -59,7 +62,9 @@ final class LiveRun {
     private final LiveStatus status;
 
     private final List<Segment> segments = new ArrayList<>();
+    /** One of the two. */
     private final EventLabeller labeller;
+    private final Labelling ahead;
     private final WithoutFlow withoutFlow;
     private volatile List<Path> written = List.of();
     private long events;
@@ -94,7 +99,8 @@ final class LiveRun {
         this.record = record;
         this.replaces = replaces;
         this.status = status;
-        labeller = method.make(source.sensor(), segments::add);
+        labeller = method.looksAhead() ? null : method.make(source.sensor(), segments::add);
+        ahead = method.looksAhead() ? method.labelling(source.sensor(), segments::add) : null;
         withoutFlow = new WithoutFlow(source.sensor());
     }
 
@@ -166,14 +172,15 @@ final class LiveRun {
                     startNs = System.nanoTime();
                     start.start();
                     results.keepAll();
-                    failure = label(writer);
+                    Thread.currentThread().setPriority(Thread.MAX_PRIORITY);
+                    failure = ahead == null ? label(writer) : labelAhead(writer);
                     outputNs = writer.finish();
                 }
             } finally {
                 sinks.forEach(LiveSink::close);
             }
             source.stop();
-            segments.addAll(labeller.segments());
+            segments.addAll(ahead == null ? labeller.segments() : ahead.segments());
             List<String> unwritten = new ArrayList<>();
             for (LiveSink sink : sinks) {
                 if (sink.failure() != null) {
@@ -242,7 +249,6 @@ final class LiveRun {
 
     /** Labels to the end, and returns what ended it; null where it was asked to end. */
     private EventSourceException label(LiveWriter writer) {
-        Thread.currentThread().setPriority(Thread.MAX_PRIORITY);
         while (true) {
             LiveWriter.Labelled next;
             try {
@@ -263,17 +269,58 @@ final class LiveRun {
             labeller.process(batch, next.flow);
             long afterEngine = System.nanoTime();
             engineNs += afterEngine - beforeEngine;
-            if (events == 0) {
-                firstTimeUs = batch.timeUs[0];
-            }
-            lastTimeUs = batch.timeUs[batch.size() - 1];
-            events += batch.size();
-            int withFlow = RecordingRun.countWithFlow(batch, next.flow);
-            eventsWithFlow += withFlow;
-            withoutFlow.add(batch, next.flow);
-            status.labelled(batch.size(), withFlow, afterEngine - source.receivedNs(), labeller);
+            note(next, afterEngine - source.receivedNs(), labeller::segments);
             writer.handOn(next);
         }
+    }
+
+    /** The same with look-ahead: what comes in is handed on when its labels know what came after it. */
+    private EventSourceException labelAhead(LiveWriter writer) {
+        EventBatch read = new EventBatch(READ_BATCH);
+        EventSourceException failure = null;
+        try {
+            LiveWriter.Labelled next = writer.empty();
+            for (boolean more = true; more;) {
+                try {
+                    more = source.next(read);
+                } catch (EventSourceException e) {
+                    failure = e;
+                    more = false;
+                }
+                long beforeEngine = System.nanoTime();
+                long newestUs = more ? read.timeUs[read.size() - 1] : lastTimeUs;
+                if (more) {
+                    ahead.add(read);
+                } else {
+                    ahead.finish();
+                }
+                while (ahead.next(next.events, next.flow)) {
+                    long heldNs = 1000 * Math.max(0, newestUs - next.events.timeUs[next.events.size() - 1]);
+                    note(next, heldNs + System.nanoTime() - source.receivedNs(), ahead::segments);
+                    writer.handOn(next);
+                    next = writer.empty();
+                }
+                engineNs += System.nanoTime() - beforeEngine;
+            }
+        } catch (IOException e) {
+            // nothing more can be kept
+            return failure;
+        }
+        return failure;
+    }
+
+    /** Counts a batch that is labelled. */
+    private void note(LiveWriter.Labelled labelled, long latencyNs, Supplier<List<Segment>> living) {
+        EventBatch batch = labelled.events;
+        if (events == 0) {
+            firstTimeUs = batch.timeUs[0];
+        }
+        lastTimeUs = batch.timeUs[batch.size() - 1];
+        events += batch.size();
+        int withFlow = RecordingRun.countWithFlow(batch, labelled.flow);
+        eventsWithFlow += withFlow;
+        withoutFlow.add(batch, labelled.flow);
+        status.labelled(batch.size(), withFlow, latencyNs, living);
     }
 
     private RunSummary summary(EventSourceException failure, List<String> unwritten, double wallS) {

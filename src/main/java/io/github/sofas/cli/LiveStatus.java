@@ -1,6 +1,5 @@
 package io.github.sofas.cli;
 
-import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.live.LiveSource;
 import io.github.sofas.recording.Printable;
@@ -9,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.HdrHistogram.Histogram;
 
 /**
@@ -60,15 +60,16 @@ final class LiveStatus {
      * Notes a batch.
      *
      * @param latencyNs from its arrival to its last label
-     * @param labeller asked for its segments when a line is due
+     * @param living asked for the segments when a line is due
      */
-    synchronized void labelled(int newEvents, int newEventsWithFlow, long latencyNs, EventLabeller labeller) {
+    synchronized void labelled(int newEvents, int newEventsWithFlow, long latencyNs,
+                               Supplier<List<Segment>> living) {
         events += newEvents;
         eventsWithFlow += newEventsWithFlow;
         latencyUs.recordValue(Math.min(LONGEST_US, latencyNs / 1000));
         if (due) {
             due = false;
-            segments = labeller.segments();
+            segments = living.get();
         }
     }
 

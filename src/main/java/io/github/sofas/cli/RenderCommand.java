@@ -82,6 +82,9 @@ final class RenderCommand implements Callable<Integer> {
     private ReadingOptions reading;
 
     @Mixin
+    private LookAheadOptions lookAhead;
+
+    @Mixin
     private MethodOptions methodOptions;
 
     @Mixin
@@ -218,7 +221,11 @@ final class RenderCommand implements Callable<Integer> {
         if (results != null) {
             methodOptions.refuseLabelling("--results");
         }
-        MethodChoice method = methodOptions.choice(parameterOptions);
+        if (lookAhead.isGiven() && shown.panels.contains(Panel.CONTOURS)) {
+            throw usage("--panels contours cannot be combined with --look-ahead: track planes are those of the newest "
+                + "event");
+        }
+        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
         if (!method.method().equals("sofas") && shown.panels.contains(Panel.CONTOURS)) {
             throw usage("--panels contours needs --method sofas but was used with " + method.method());
         }

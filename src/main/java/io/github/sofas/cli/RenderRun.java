@@ -7,6 +7,7 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.LabelledSource;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
@@ -116,13 +117,17 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     }
                 });
             }
-            EventLabeller labeller = labelled == null ? method.make(sensor, ended -> { }) : null;
+            boolean looksAhead = labelled == null && method.looksAhead();
+            LabelledSource ahead = looksAhead
+                ? new LabelledSource(reader, method.labelling(sensor, ended -> { })) : null;
+            EventLabeller labeller = labelled == null && !looksAhead ? method.make(sensor, ended -> { }) : null;
             Shooting shooting = new Shooting(sheet, film, timing, labeller, frames);
             EventBatch batch = new EventBatch(BATCH);
             FlowOutput labels = new FlowOutput(BATCH);
             EventSourceException damage = null;
             try {
-                while (!shooting.isOver() && (labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
+                while (!shooting.isOver() && (looksAhead ? ahead.next(batch, labels)
+                        : labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
                     shooting.take(batch, labels);
                     progress.reached(reader.bytesRead());
                 }

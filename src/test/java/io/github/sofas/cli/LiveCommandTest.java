@@ -5,6 +5,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.SmoothedSofas;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.live.Biases;
@@ -20,6 +21,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -105,8 +107,12 @@ public class LiveCommandTest {
 
     private RecordingRun.Outcome label(FakeTransport camera, boolean unplugged, Path recording) throws Exception {
         SofasParameters parameters = SofasParameters.defaults();
-        MethodChoice method = new MethodChoice("sofas", "default", Map.of(),
-            (sensor, ended) -> new Sofas(sensor, parameters, ended));
+        return label(camera, unplugged, recording, new MethodChoice("sofas", "default", Map.of(),
+            (sensor, ended) -> new Sofas(sensor, parameters, ended)));
+    }
+
+    private RecordingRun.Outcome label(FakeTransport camera, boolean unplugged, Path recording, MethodChoice method)
+            throws Exception {
         try (CameraSource source = new Cameras(camera).open(null)) {
             LiveStatus status = new LiveStatus(source, new PrintWriter(new StringWriter()), 80,
                 System::nanoTime);
@@ -136,9 +142,12 @@ public class LiveCommandTest {
         }
     }
 
-    private void assertSameAsAFileRun(Path recording) throws IOException {
+    private void assertSameAsAFileRun(Path recording, String... options) throws IOException {
         Path file = out.resolve("file");
-        assertEquals(0, Executed.command("run", "--quiet", "--out", file.toString(), recording.toString()).exitCode);
+        List<String> command = new ArrayList<>(List.of("run", "--quiet", "--out", file.toString()));
+        command.addAll(List.of(options));
+        command.add(recording.toString());
+        assertEquals(0, Executed.command(command.toArray(new String[0])).exitCode);
         for (String ending : List.of(".flow.csv", ".segments.csv")) {
             assertArrayEquals(ending, Files.readAllBytes(file.resolve("recorded" + ending)),
                 Files.readAllBytes(out.resolve("live" + ending)));
@@ -161,5 +170,25 @@ public class LiveCommandTest {
         assertEquals("[DAVIS240C 00000042] the camera was unplugged", outcome.damage().getMessage());
         assertEquals(25_074, outcome.summary().recording().events());
         assertSameAsAFileRun(recording);
+    }
+
+    @Test
+    public void givesWithADelayTheResultsOfARunWithLookAhead() throws Exception {
+        Path recording = folder.getRoot().toPath().resolve("recorded.aedat");
+        SofasParameters parameters = SofasParameters.defaults();
+        MethodChoice delayed = new MethodChoice("sofas", "default", Map.of(),
+            (sensor, ended) -> new Sofas(sensor, parameters, ended),
+            (sensor, ended) -> new SmoothedSofas(sensor, parameters, 100_000, ended));
+        RecordingRun.Outcome outcome = label(FakeTransport.davis240c(), true, recording, delayed);
+        assertEquals(25_074, outcome.summary().recording().events());
+        assertSameAsAFileRun(recording, "--look-ahead", "100");
+    }
+
+    @Test
+    public void delayIsForTheDefaultPresetOfSofas() {
+        String dir = out.toString();
+        refuses("--delay must be 4 to 10000 but was 20000", "--out", dir, "--delay", "20000");
+        refuses("--delay needs --preset default but was used with paper", "--out", dir, "--delay", "100", "--preset",
+            "paper");
     }
 }

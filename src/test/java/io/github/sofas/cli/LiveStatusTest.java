@@ -52,7 +52,7 @@ public class LiveStatusTest {
         status.started();
         nowNs += 1_000_000_000L;
         status.show();
-        status.labelled(1_500_000, 300_000, 700_000, labeller);
+        status.labelled(1_500_000, 300_000, 700_000, labeller::segments);
         nowNs += 2_000_000_000L;
         status.show();
     }
@@ -96,7 +96,7 @@ public class LiveStatusTest {
         status.started();
         // 990 of 1 ms, 9 of 4 ms, one of 20 ms
         for (int i = 0; i < 1000; i++) {
-            status.labelled(1, 1, i < 990 ? 1_000_000 : i < 999 ? 4_000_000 : 20_000_000, labeller);
+            status.labelled(1, 1, i < 990 ? 1_000_000 : i < 999 ? 4_000_000 : 20_000_000, labeller::segments);
         }
         assertEquals("from arrival to label: p50 1.0 ms, p99 1.0 ms, p99.9 4.0 ms, longest 20.0 ms", status.latency());
     }

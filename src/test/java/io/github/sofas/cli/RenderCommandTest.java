@@ -1,6 +1,8 @@
 package io.github.sofas.cli;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -9,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.ZipInputStream;
@@ -145,6 +148,22 @@ public class RenderCommandTest {
             "contours", "--results", "recordings");
         refuses("--panels contours needs --method sofas but was used with lucas-kanade", "--panels", "contours",
             "--method", "lucas-kanade");
+        refuses("--panels contours cannot be combined with --look-ahead: track planes are those of the newest event",
+            "--panels", "contours", "--look-ahead", "100");
+    }
+
+    @Test
+    public void lookAheadShowsTheSameEventsWithOtherLabels() throws IOException {
+        Path film = folder.getRoot().toPath().resolve("short-bar.png.zip");
+        String[] options = {"--format", "png", "--max-pictures", "5", "--force"};
+        assertEquals(0, render(options).exitCode);
+        byte[] causal = Files.readAllBytes(film);
+        String[] ahead = {"--format", "png", "--max-pictures", "5", "--force", "--look-ahead", "100"};
+        assertEquals(0, render(ahead).exitCode);
+        byte[] first = Files.readAllBytes(film);
+        assertFalse(Arrays.equals(causal, first));
+        assertEquals(0, render(ahead).exitCode);
+        assertArrayEquals(first, Files.readAllBytes(film));
     }
 
     @Test
