@@ -28,6 +28,8 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
     private static final int READY = 0x50fa5;
     /** jAER starts in 3 s, on a machine that does other things in 20. */
     private static final Duration LONGEST_START = Duration.ofSeconds(90);
+    /** The starter gives jAER 5 s. */
+    private static final int LONGEST_END_S = 8;
     private static final String STARTER = "io.github.sofas.jaer.StartFilter";
 
     private final Process process;
@@ -102,10 +104,17 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         throw new JaerException(words.isEmpty() ? "jAER ended before " + filterClass + " was ready" : words);
     }
 
-    /** With jAER itself, which the starter runs. */
+    /** Ends the starter, which takes jAER and its folder along, else both by force. */
     private void destroy() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        List<ProcessHandle> started = process.descendants().toList();
+        process.destroy();
+        try {
+            process.waitFor(LONGEST_END_S, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
         process.destroyForcibly();
+        started.forEach(ProcessHandle::destroyForcibly);
     }
 
     /** What a process that ended said last: its exception, else its last line. */
