@@ -19,12 +19,6 @@ public final class MotionChange {
     /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
     private static final double SURE_SIGMAS = 0.2;
     private static final double HALF_SURE_SIGMAS = 0.14;
-    /**
-     * Greatest turn, and growth, from the middle of the window to its end: more shortens the window, in which still
-     * more would fit as well, and what holds only noise would run away.
-     */
-    private static final double MOST_TURN_RAD = 1;
-    private static final double MOST_GROWTH = 0.25;
     /** Shift at the end of the window by rotation or growth below which neither shows in parts of it, in px. */
     private static final double LEAST_SHOWN_PX = 0.03;
     /** Distance of the projections that measure a change, at the end of the window. */
@@ -101,14 +95,14 @@ public final class MotionChange {
         double newGrowth = 0;
         if (p.rotation()) {
             Parabola fitted = fit.fitRotation(perPx * CHANGE_PX);
-            omega = within(MOST_TURN_RAD / half, taken(omega, turned + fitted.step(), perPx));
+            omega = taken(omega, turned + fitted.step(), perPx);
             turns = shown(shareOf(fitted.loss(), most));
             newOmega = believed(omega, perPx, BEND_PX) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
             Parabola fitted = fit.fitGrowth(perPx * CHANGE_PX);
-            growth = within(MOST_GROWTH / half, taken(growth, grown + fitted.step(), perPx));
+            growth = taken(growth, grown + fitted.step(), perPx);
             newGrowth = believed(growth, perPx, BEND_PX) * shown(shareOf(fitted.loss(), most));
             loss.grow = fitted.loss();
         }
@@ -184,11 +178,6 @@ public final class MotionChange {
         double px = (measured - before) / perPx;
         double gain = CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + NEWS_PX * NEWS_PX);
         return before + gain * (measured - before);
-    }
-
-    /** A change, or the most that it may be either way. */
-    static double within(double most, double value) {
-        return Math.max(-most, Math.min(most, value));
     }
 
     /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */

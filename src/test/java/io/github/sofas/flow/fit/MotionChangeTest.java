@@ -100,13 +100,6 @@ public class MotionChangeTest {
     }
 
     @Test
-    public void changeGoesNoFartherThanTheMost() {
-        assertEquals(2.5, MotionChange.within(2.5, 3), 0);
-        assertEquals(-2.5, MotionChange.within(2.5, -3), 0);
-        assertEquals(-2, MotionChange.within(2.5, -2), 0);
-    }
-
-    @Test
     public void steadyMotionHasNoChange() {
         Motion motion = measured(steady(), DEFAULTS);
         assertEquals(0, motion.ax, 5);
