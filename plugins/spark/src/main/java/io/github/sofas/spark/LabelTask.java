@@ -41,8 +41,7 @@ final class LabelTask extends AbstractFunction2<TaskContext, Iterator<BatchTask>
         long startNs = System.nanoTime();
         BatchRow row;
         try {
-            row = context.attemptNumber() < mostAttempts
-                ? IsolatedProgram.get().label(order, task, new HadoopStorage(SparkEnv.get().conf()))
+            row = context.attemptNumber() < mostAttempts ? label(task)
                 : new BatchRow(task).failed("[" + task.recording().name() + "] its task died "
                     + context.attemptNumber() + " times, the process with it; the executor's log may tell why");
         } catch (InterruptedException e) {
@@ -52,5 +51,14 @@ final class LabelTask extends AbstractFunction2<TaskContext, Iterator<BatchTask>
             .set(BatchColumn.TASK_S, (System.nanoTime() - startNs) / 1e9)
             .set(BatchColumn.TASK_ATTEMPT, (long) context.attemptNumber())
             .set(BatchColumn.HOST, SparkEnv.get().blockManager().blockManagerId().host());
+    }
+
+    private BatchRow label(BatchTask task) throws InterruptedException {
+        RunningTasks.HERE.begin();
+        try {
+            return IsolatedProgram.get().label(order, task, new HadoopStorage(SparkEnv.get().conf()));
+        } finally {
+            RunningTasks.HERE.end();
+        }
     }
 }

@@ -37,6 +37,8 @@ final class SparkCluster implements Cluster {
     /** After Spark has ended its tasks, before Hadoop closes its file systems. */
     private static final int AFTER_SPARK = FileSystem.SHUTDOWN_HOOK_PRIORITY + 10;
     private static final int ENDING_S = 20;
+    /** Of which tasks that run in this process get so much. */
+    private static final int TASKS_END_S = 5;
 
     private final SparkConf conf = new SparkConf();
     private final HadoopStorage storage = new HadoopStorage(conf);
@@ -128,6 +130,7 @@ final class SparkCluster implements Cluster {
             context.runJob(JavaSparkContext.fromSparkContext(context).parallelize(tasks, tasks.size()).rdd(), labelling,
                 all, new Ended(ended), ClassTag$.MODULE$.apply(BatchRow.class));
         } catch (Exception e) {
+            RunningTasks.HERE.stop(TASKS_END_S);
             // not declared, Scala throws it all the same
             if (e instanceof SparkException) {
                 throw new IOException(e.getMessage().lines().findFirst().orElse(""), e);
