@@ -11,8 +11,8 @@ import java.util.List;
  * came and went. A segment's claim is the number of px of travel, up to {@value #SIDE_PARTS} on either side, in which
  * there was an event of the same polarity where the motion puts the edge; what no segment claims is noise.
  *
- * <p>Longer than other classes, because which events are open, who may claim them and how a claim is counted use the same
- * tables of the slice, which are filled once for all of them.
+ * <p>Longer than other classes, because which events are open, who may claim them and how a claim is counted use the
+ * same tables of the slice, which are filled once for all of them.
  */
 final class Competition {
     /** Travel that is looked at on either side of an event, in px, and parts that it is looked at in. */
