@@ -1,6 +1,9 @@
 package io.github.sofas.batch;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
 
@@ -31,6 +34,25 @@ public interface Storage {
      * @throws IOException where it cannot be read or written
      */
     void fetch(String file, Path local, long mostBytes) throws IOException;
+
+    /**
+     * Copies what a stream has to a file, as {@link #fetch} does.
+     *
+     * @param in the stream, which stays open
+     * @param local the file, replaced where there is one
+     * @param mostBytes how much of it at most
+     * @throws IOException where it cannot be read or written
+     */
+    static void copy(InputStream in, Path local, long mostBytes) throws IOException {
+        try (OutputStream out = Files.newOutputStream(local)) {
+            byte[] buffer = new byte[1 << 16];
+            long left = mostBytes;
+            for (int n = 0; n >= 0 && left > 0; n = in.read(buffer, 0, (int) Math.min(buffer.length, left))) {
+                out.write(buffer, 0, n);
+                left -= n;
+            }
+        }
+    }
 
     /**
      * Puts a file in its place, which has another one, none, or all of it, but never a part. Makes the folder where it

@@ -3,7 +3,6 @@ package io.github.sofas.cli;
 import io.github.sofas.batch.Storage;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -35,13 +34,8 @@ final class LocalStorage implements Storage {
 
     @Override
     public void fetch(String file, Path local, long mostBytes) throws IOException {
-        try (InputStream in = Files.newInputStream(Path.of(file)); OutputStream out = Files.newOutputStream(local)) {
-            byte[] buffer = new byte[1 << 16];
-            long left = mostBytes;
-            for (int n = 0; n >= 0 && left > 0; n = in.read(buffer, 0, (int) Math.min(buffer.length, left))) {
-                out.write(buffer, 0, n);
-                left -= n;
-            }
+        try (InputStream in = Files.newInputStream(Path.of(file))) {
+            Storage.copy(in, local, mostBytes);
         }
         Files.setLastModifiedTime(local, Files.getLastModifiedTime(Path.of(file)));
     }

@@ -93,13 +93,8 @@ final class HadoopStorage implements Storage {
     @Override
     public void fetch(String file, java.nio.file.Path local, long mostBytes) throws IOException {
         Path path = new Path(file);
-        try (InputStream in = system(path).open(path); OutputStream out = Files.newOutputStream(local)) {
-            byte[] buffer = new byte[1 << 16];
-            long left = mostBytes;
-            for (int n = 0; n >= 0 && left > 0; n = in.read(buffer, 0, (int) Math.min(buffer.length, left))) {
-                out.write(buffer, 0, n);
-                left -= n;
-            }
+        try (InputStream in = system(path).open(path)) {
+            Storage.copy(in, local, mostBytes);
         }
     }
 
