@@ -3,13 +3,15 @@ package io.github.sofas.flow;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.smooth.Smoother;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Queue;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /**
@@ -47,8 +49,8 @@ public final class SmoothedSofas implements Labelling {
     private final EventBatch part = new EventBatch(PART);
     private final FlowOutput causal = new FlowOutput(PART);
     private long newestUs = Long.MIN_VALUE;
-    /** Segments that ended, and may have events still. */
-    private final Queue<Segment> ending = new ArrayDeque<>();
+    /** What ended last of each label, which may have events still. */
+    private final Map<Integer, Segment> ending = new LinkedHashMap<>();
     private final Map<Integer, Tally> tallies = new HashMap<>();
 
     /** What was given back of a segment. */
@@ -63,11 +65,11 @@ public final class SmoothedSofas implements Labelling {
             events += other.events;
         }
 
-        Segment tell(Segment causal) {
-            return new Segment(causal.id(), events == 0 ? causal.firstTimeUs() : firstUs,
+        Segment tell(Segment causal, int label, int mergedInto) {
+            return new Segment(label, events == 0 ? causal.firstTimeUs() : firstUs,
                 events == 0 ? causal.lastTimeUs() : lastUs, events, causal.vxPxPerS(), causal.vyPxPerS(),
                 causal.turnRadPerS(), causal.growthPerS(), causal.minX(), causal.minY(), causal.maxX(), causal.maxY(),
-                causal.fate(), causal.mergedInto());
+                causal.fate(), mergedInto);
         }
     }
 
@@ -105,7 +107,7 @@ public final class SmoothedSofas implements Labelling {
         }
         this.ended = Objects.requireNonNull(ended, "ended");
         smoother = new Smoother(sensor, parameters.track(), lookAheadUs);
-        sofas = new Sofas(sensor, parameters, ending::add, smoother::add);
+        sofas = new Sofas(sensor, parameters, this::end, smoother::add);
     }
 
     @Override
@@ -152,24 +154,61 @@ public final class SmoothedSofas implements Labelling {
                 tally.events++;
             }
         }
-        while (!ending.isEmpty() && smoother.isOver(ending.peek().id())) {
-            Segment segment = ending.remove();
-            Tally own = tallies.containsKey(segment.id()) ? tallies.remove(segment.id()) : new Tally();
-            if (segment.fate() == Segment.Fate.MERGED) {
-                tallies.computeIfAbsent(segment.mergedInto(), id -> new Tally()).add(own);
-            }
-            ended.accept(own.tell(segment));
-        }
+        tellOfEnded();
         return given;
+    }
+
+    private void end(Segment segment) {
+        int label = smoother.label(segment.id());
+        if (segment.fate() != Segment.Fate.MERGED || smoother.merge(segment.id(), segment.mergedInto())) {
+            ending.put(label, segment);
+        }
+    }
+
+    private void tellOfEnded() {
+        ending.keySet().stream().filter(this::wasJoined).toList().forEach(label -> ending.merge(smoother.label(label),
+            ending.remove(label), SmoothedSofas::later));
+        if (ending.keySet().stream().noneMatch(smoother::isOver)) {
+            return;
+        }
+        Set<Integer> living = new HashSet<>();
+        sofas.segments().forEach(segment -> living.add(smoother.label(segment.id())));
+        for (Iterator<Map.Entry<Integer, Segment>> rest = ending.entrySet().iterator(); rest.hasNext();) {
+            Map.Entry<Integer, Segment> next = rest.next();
+            int label = next.getKey();
+            if (smoother.isOver(label) && !living.contains(label)) {
+                rest.remove();
+                Segment segment = next.getValue();
+                Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
+                Segment told = own.tell(segment, label, smoother.label(segment.mergedInto()));
+                if (told.fate() == Segment.Fate.MERGED) {
+                    tallies.computeIfAbsent(told.mergedInto(), id -> new Tally()).add(own);
+                }
+                ended.accept(told);
+                smoother.forget(label);
+            }
+        }
+    }
+
+    /** Whether the events of a label that has ended go by another one. */
+    private boolean wasJoined(int label) {
+        return ending.get(label).fate() != Segment.Fate.MERGED && smoother.label(label) != label;
+    }
+
+    private static Segment later(Segment a, Segment b) {
+        return a.lastTimeUs() >= b.lastTimeUs() ? a : b;
     }
 
     /** Segments that are tracked at the newest event, with the events that were given back of them. */
     @Override
     public List<Segment> segments() {
-        List<Segment> segments = new ArrayList<>();
+        Map<Integer, Segment> newest = new LinkedHashMap<>();
         for (Segment segment : sofas.segments()) {
-            segments.add(tallies.getOrDefault(segment.id(), new Tally()).tell(segment));
+            newest.merge(smoother.label(segment.id()), segment, SmoothedSofas::later);
         }
+        List<Segment> segments = new ArrayList<>();
+        newest.forEach((label, segment) ->
+            segments.add(tallies.getOrDefault(label, new Tally()).tell(segment, label, 0)));
         return segments;
     }
 

@@ -1,6 +1,8 @@
 package io.github.sofas.flow;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
@@ -14,6 +16,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.junit.Test;
 
 public class SmoothedSofasTest {
@@ -174,32 +177,51 @@ public class SmoothedSofasTest {
         assertTrue(causal.error + " at once, " + ahead.error + " ahead", ahead.error < 0.6 * causal.error);
     }
 
+    private static List<Event> events(SimulatedRecording film) {
+        List<Event> events = new ArrayList<>();
+        for (int i = 0; i < film.size(); i++) {
+            events.add(new Event(film.x[i], film.y[i], film.timeUs[i], film.polarity[i]));
+        }
+        return events;
+    }
+
     @Test
-    public void segmentsCountTheEventsThatWereGivenBack() {
+    public void whatTurnsRoundIsKnownAgain() {
+        // the engine finds the ball anew after the first turn
+        SimulatedRecording film = SimulatedRecording.of(Scene.SWINGING_BALL, SimulationOptions.defaults());
+        Map<Integer, Integer> counts = new HashMap<>();
+        SmoothedSofas sofas = new SmoothedSofas(film.sensor(), SofasParameters.defaults(), LOOK_AHEAD_US);
+        for (Given given : run(sofas, events(film), 4096)) {
+            counts.merge(given.segment, 1, Integer::sum);
+        }
+        counts.remove(0);
+        int most = counts.values().stream().mapToInt(count -> count).max().orElseThrow();
+        assertTrue(counts.toString(), most > 0.99 * counts.values().stream().mapToInt(count -> count).sum());
+    }
+
+    @Test
+    public void eachLabelHasOneSegmentThatCountsItsEvents() {
+        SimulatedRecording film = SimulatedRecording.of(Scene.THREE_WANDERING, SimulationOptions.defaults());
         List<Segment> segments = new ArrayList<>();
-        SmoothedSofas sofas = new SmoothedSofas(SENSOR, SofasParameters.defaults(), LOOK_AHEAD_US, segments::add);
-        List<Event> events = new ArrayList<>(FILM);
-        // they have ended when something else is seen seconds later
-        events.addAll(Streams.later(FILM.subList(0, 3000), 20_000_000));
-        List<Given> given = run(sofas, events, 1000);
-        assertTrue("none has ended", !segments.isEmpty());
+        SmoothedSofas sofas = new SmoothedSofas(film.sensor(), SofasParameters.defaults(), LOOK_AHEAD_US,
+            segments::add);
+        Map<Integer, Long> counts = new TreeMap<>();
+        Map<Integer, Long> firstUs = new TreeMap<>();
+        for (Given given : run(sofas, events(film), 1000)) {
+            counts.merge(given.segment, 1L, Long::sum);
+            firstUs.putIfAbsent(given.segment, given.event.timeUs());
+        }
+        counts.remove(0);
+        assertFalse("none has ended", segments.isEmpty());
         segments.addAll(sofas.segments());
-        Map<Integer, Long> counted = new HashMap<>();
-        Map<Integer, Long> firstUs = new HashMap<>();
-        for (Given each : given) {
-            counted.merge(each.segment, 1L, Long::sum);
-            firstUs.putIfAbsent(each.segment, each.event.timeUs());
-        }
-        counted.remove(0);
-        long all = 0;
-        for (Segment segment : segments) {
-            all += segment.fate() == Segment.Fate.MERGED ? 0 : segment.events();
-            if (segment.events() > 0 && counted.containsKey(segment.id())) {
-                assertTrue(segment.toString(), segment.events() >= counted.get(segment.id()));
-                assertTrue(segment.toString(), segment.firstTimeUs() <= firstUs.get(segment.id()));
-            }
-        }
-        assertEquals(counted.values().stream().mapToLong(Long::longValue).sum(), all);
+        Map<Integer, Segment> byId = new TreeMap<>();
+        segments.forEach(segment -> assertNull("twice: " + segment, byId.put(segment.id(), segment)));
+        counts.forEach((id, count) -> {
+            long withMerged = count + byId.values().stream()
+                .filter(segment -> segment.mergedInto() == id).mapToLong(Segment::events).sum();
+            assertEquals(withMerged, byId.get(id).events());
+            assertTrue(byId.get(id).toString(), byId.get(id).firstTimeUs() <= firstUs.get(id));
+        });
     }
 
     @Test

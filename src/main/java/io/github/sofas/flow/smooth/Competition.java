@@ -36,6 +36,7 @@ final class Competition {
     private static final int DECIDED = -1;
 
     private final EventWindow window;
+    private final Labels labels;
     private final TraceMap map;
     private final SteppedProjection projection = new SteppedProjection();
     private final Motion motion = new Motion();
@@ -54,8 +55,9 @@ final class Competition {
     private double right;
     private double bottom;
 
-    Competition(SensorSize sensor, EventWindow window) {
+    Competition(SensorSize sensor, EventWindow window, Labels labels) {
         this.window = window;
+        this.labels = labels;
         map = new TraceMap(sensor);
     }
 
@@ -245,6 +247,9 @@ final class Competition {
     }
 
     private void addTile(SegmentPath path, Slice slice, int tile, long untilUs) {
+        int label = labels.ofPath(path.id());
+        int other = 0;
+        boolean isPiece = false;
         int end = slice.start(tile + 1);
         for (int j = firstFrom(slice, tile, fromUs); j < end; j++) {
             int k = window.at(slice.event(j));
@@ -257,7 +262,11 @@ final class Competition {
             double y = cos[step] * window.y[k] - sin[step] * window.x[k] + shiftY[step];
             if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
                 int id = window.segment[k];
-                int whose = id == path.id() ? TraceMap.OWN : id == 0 ? TraceMap.NOBODYS : TraceMap.OTHERS;
+                if (id != other) {
+                    other = id;
+                    isPiece = labels.ofPath(id) == label;
+                }
+                int whose = id == 0 ? TraceMap.NOBODYS : isPiece ? TraceMap.OWN : TraceMap.OTHERS;
                 map.add(x, y, window.polarity[k], Math.min(TraceMap.PARTS - 1, step / STEPS), whose);
             }
         }

@@ -16,8 +16,10 @@ final class EventWindow {
     short[] x = new short[FIRST_CAPACITY];
     short[] y = new short[FIRST_CAPACITY];
     byte[] polarity = new byte[FIRST_CAPACITY];
-    /** Id of the segment; 0 where it has none. */
+    /** Id of the path of its segment; 0 where it has none. */
     int[] segment = new int[FIRST_CAPACITY];
+    /** The label that it gets for good; 0 for none. */
+    int[] label = new int[FIRST_CAPACITY];
     float[] vxPxPerS = new float[FIRST_CAPACITY];
     float[] vyPxPerS = new float[FIRST_CAPACITY];
 
@@ -66,15 +68,26 @@ final class EventWindow {
         y = Arrays.copyOf(y, 2 * n);
         polarity = Arrays.copyOf(polarity, 2 * n);
         segment = Arrays.copyOf(segment, 2 * n);
+        label = Arrays.copyOf(label, 2 * n);
         vxPxPerS = Arrays.copyOf(vxPxPerS, 2 * n);
         vyPxPerS = Arrays.copyOf(vyPxPerS, 2 * n);
-        for (Object each : new Object[] {timeUs, givenUs, x, y, polarity, segment, vxPxPerS, vyPxPerS}) {
+        for (Object each : new Object[] {timeUs, givenUs, x, y, polarity, segment, label, vxPxPerS, vyPxPerS}) {
             System.arraycopy(each, from, each, from + n, count);
         }
     }
 
     private static int at(long i, int length) {
         return (int) i & length - 1;
+    }
+
+    /** Gives the events of a segment, from a number on to before another, to one that proved to be the same. */
+    void join(long fromEvent, long untilEvent, int from, int to) {
+        for (long i = fromEvent; i < untilEvent; i++) {
+            int k = at(i);
+            if (segment[k] == from) {
+                segment[k] = to;
+            }
+        }
     }
 
     /** Lets the events before a number go. */

@@ -18,10 +18,18 @@ final class SegmentPath {
     /** Shift by rotation and growth on either side below which nothing is measured anew. */
     private static final double LEAST_SHIFT_PX = 0.25;
 
+    /** Parts of the time over which it is seen whether two moved along together. */
+    private static final int PARTS = 8;
+    /** How far two that are one may seem to go apart: in px, and as a share of their way. */
+    private static final double APART_PX = 3;
+    private static final double APART_SHARE = 0.15;
+
     private final int id;
     /** In order of time. */
     private final List<Motion> knots = new ArrayList<>();
     private long newestUs = Long.MIN_VALUE;
+    private long firstSeenUs = Long.MAX_VALUE;
+    private long endUs = Long.MAX_VALUE;
     /** What was asked for last. */
     private final Motion steady = new Motion();
     private final Motion before = new Motion();
@@ -45,7 +53,75 @@ final class SegmentPath {
 
     /** Notes an event that the causal labels give it. */
     void see(long timeUs) {
+        firstSeenUs = Math.min(firstSeenUs, timeUs);
         newestUs = Math.max(newestUs, timeUs);
+        endUs = Math.max(endUs, timeUs);
+    }
+
+    /** Ends it where it is: its events are those of another from now on. */
+    void end() {
+        endUs = newestUs;
+    }
+
+    /** Time in µs at which its events became those of another. */
+    long endUs() {
+        return endUs;
+    }
+
+    /** Whether its events became those of another. */
+    boolean hasEnded() {
+        return endUs < Long.MAX_VALUE;
+    }
+
+    /** Time of the first event that the causal labels give it in µs. */
+    long firstSeenUs() {
+        return firstSeenUs;
+    }
+
+    /** The earliest motion that is known. */
+    Motion first() {
+        return knots.get(0);
+    }
+
+    /** The latest motion that is known. */
+    Motion last() {
+        return knots.get(knots.size() - 1);
+    }
+
+    /**
+     * Whether it may have been one body with another as long as both are known: they went apart by no more than what
+     * turned and grew as much as either did.
+     */
+    boolean movedAsOneWith(SegmentPath other) {
+        long fromUs = Math.max(first().referenceUs, other.first().referenceUs);
+        double seconds = (Math.min(last().referenceUs, other.last().referenceUs) - fromUs) * 1e-6 / PARTS;
+        double x = 0;
+        double y = 0;
+        double may = APART_PX;
+        for (int part = 0; part < PARTS && seconds > 0; part++) {
+            at(fromUs + (long) ((part + 0.5) * seconds * 1e6), before);
+            other.at(before.referenceUs, after);
+            x += (after.vx - before.vx) * seconds;
+            y += (after.vy - before.vy) * seconds;
+            double turning = Math.max(Math.hypot(before.omega, before.growth), Math.hypot(after.omega, after.growth));
+            may += (APART_SHARE * Math.hypot(before.vx, before.vy) + turning
+                * Math.hypot(after.centreX - before.centreX, after.centreY - before.centreY)) * seconds;
+        }
+        return Math.hypot(x, y) <= may;
+    }
+
+    /** Takes over what is known of a segment that proved to be the same, for the times that this knows nothing of. */
+    void takeOver(SegmentPath other) {
+        int k = 0;
+        for (Motion knot : other.knots) {
+            if (knots.size() == k || knot.referenceUs < knots.get(k).referenceUs) {
+                knots.add(k++, knot);
+            } else if (knot.referenceUs > last().referenceUs) {
+                knots.add(knot);
+            }
+        }
+        newestUs = Math.max(newestUs, other.newestUs);
+        forgetSteady();
     }
 
     /** Lets the knots go that no time from another on needs. */

@@ -23,12 +23,21 @@ final class Slice {
         int top = Integer.MAX_VALUE;
         int right = Integer.MIN_VALUE;
         int bottom = Integer.MIN_VALUE;
+        int events;
 
         void add(int x, int y) {
             left = Math.min(left, x);
             right = Math.max(right, x);
             top = Math.min(top, y);
             bottom = Math.max(bottom, y);
+            events++;
+        }
+
+        void add(Box other) {
+            int all = events + other.events;
+            add(other.left, other.top);
+            add(other.right, other.bottom);
+            events = all;
         }
     }
 
@@ -44,8 +53,9 @@ final class Slice {
     private final boolean[] open;
     private final boolean[] nearOpen;
     private final Map<Integer, Box> boxes = new HashMap<>();
+    private boolean isStale;
 
-    Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs) {
+    Slice(EventWindow window, SensorSize sensor, Labels labels, long from, long fromUs, long untilUs) {
         this.fromUs = fromUs;
         this.untilUs = untilUs;
         this.from = from;
@@ -56,7 +66,7 @@ final class Slice {
         open = new boolean[columns * rows];
         nearOpen = new boolean[columns * rows];
         order = sort(window, sensor);
-        findOpen(window);
+        findOpen(window, labels);
     }
 
     private int[] sort(EventWindow window, SensorSize sensor) {
@@ -83,18 +93,49 @@ final class Slice {
         return sorted;
     }
 
-    private void findOpen(EventWindow window) {
+    /** Gives the events of a segment to another, which proved to be the same. */
+    void join(EventWindow window, int from, int to) {
+        Box joined = boxes.remove(from);
+        if (joined != null) {
+            boxes.computeIfAbsent(to, id -> new Box()).add(joined);
+            isStale = true;
+        }
+        window.join(this.from, until, from, to);
+    }
+
+    /** Notes that segments got one label, which may close tiles. */
+    void outdate() {
+        isStale = true;
+    }
+
+    /** Finds anew what is open after segments were joined. */
+    void refresh(EventWindow window, Labels labels) {
+        if (isStale) {
+            isStale = false;
+            Arrays.fill(open, false);
+            Arrays.fill(nearOpen, false);
+            findOpen(window, labels);
+        }
+    }
+
+    private void findOpen(EventWindow window, Labels labels) {
         int[] labelled = new int[columns * rows];
         boolean[] shared = new boolean[columns * rows];
         for (int t = 0; t < labelled.length; t++) {
             int first = 0;
             int others = 0;
+            int path = 0;
+            int label = 0;
             for (int k = start[t]; k < start[t + 1]; k++) {
                 int id = window.segment[window.at(from + order[k])];
                 if (id != 0) {
+                    if (id != path) {
+                        path = id;
+                        label = labels.ofPath(id);
+                    }
                     labelled[t]++;
-                    first = first == 0 ? id : first;
-                    others += id == first ? 0 : 1;
+                    first = first == 0 ? label : first;
+                    others += label == first ? 0 : 1;
                 }
             }
             shared[t] = Math.min(others, labelled[t] - others) > SHARED * labelled[t];

@@ -38,6 +38,8 @@ public final class Smoother {
     private final Map<Integer, SegmentPath> paths = new TreeMap<>();
     private final Competition competition;
     private final CentredFit fit;
+    private final Labels labels = new Labels();
+    private final KnownAgain knownAgain;
     private long sliceFrom;
     private long sliceFromUs = Long.MIN_VALUE;
     /** Number of the first event that is not labelled for good, and that of the first that was not taken. */
@@ -55,8 +57,9 @@ public final class Smoother {
     public Smoother(SensorSize sensor, SofasParameters.Track p, long lookAheadUs) {
         this.sensor = sensor;
         sliceUs = Math.max(1, lookAheadUs / AHEAD);
-        competition = new Competition(sensor, window);
+        competition = new Competition(sensor, window, labels);
         fit = new CentredFit(sensor, window, p);
+        knownAgain = new KnownAgain(sensor, window);
     }
 
     /**
@@ -81,7 +84,36 @@ public final class Smoother {
 
     /** Takes a measured motion of a segment. */
     public void add(int segment, Motion motion) {
-        path(segment).add(motion);
+        path(labels.path(segment)).add(motion);
+    }
+
+    /** The label of a segment's events: its own, or that of another that it proved to be the same as. */
+    public int label(int segment) {
+        return labels.ofPath(labels.path(segment));
+    }
+
+    /**
+     * Takes note that a segment proved to be a piece of another that goes on. Events of both that are not labelled for
+     * good get one label: that of the other, or where only the piece's was given to events for good, that.
+     *
+     * @return whether its label ends with this: it was given to events, and no other is given to them any more
+     */
+    public boolean merge(int segment, int into) {
+        int from = label(segment);
+        int to = label(into);
+        SegmentPath piece = path(labels.path(segment));
+        SegmentPath body = path(labels.path(into));
+        piece.end();
+        if (from == to) {
+            return false;
+        }
+        if (piece.isMeasured() && body.isMeasured() && !piece.movedAsOneWith(body)) {
+            return true;
+        }
+        boolean goesOn = labels.isGiven(from) && !labels.isGiven(to);
+        labels.join(goesOn ? to : from, goesOn ? from : to);
+        slices.forEach(Slice::outdate);
+        return labels.isGiven(from) && !goesOn;
     }
 
     private SegmentPath path(int segment) {
@@ -91,7 +123,7 @@ public final class Smoother {
     /** Takes an event with its causal label. */
     public void add(EventBatch batch, FlowOutput causal, int i) {
         newestUs = Math.max(newestUs, batch.timeUs[i]);
-        int id = causal.segment[i];
+        int id = labels.path(causal.segment[i]);
         if (id != 0) {
             path(id).see(newestUs);
         }
@@ -117,16 +149,17 @@ public final class Smoother {
     }
 
     private void endSlice(long untilUs) {
-        slices.add(new Slice(window, sensor, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
+        slices.add(new Slice(window, sensor, labels, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
         sliceFrom = window.end();
         sliceFromUs = untilUs;
+        knowAgain();
         refine();
         look(FIRST_LOOK);
         look(AHEAD);
         int done = slices.size() - 1 - AHEAD;
         if (done >= 0) {
             Slice slice = slices.get(done);
-            setVelocities(slice);
+            settle(slice);
             labelled = slice.until;
         }
         if (slices.size() == KEPT) {
@@ -136,6 +169,22 @@ public final class Smoother {
                 path.forget(oldest.untilUs);
                 return path.newestUs() < oldest.untilUs;
             });
+        }
+    }
+
+    /** Looks whether what began of late was lost before. */
+    private void knowAgain() {
+        for (SegmentPath begun : List.copyOf(paths.values())) {
+            if (begun.isMeasured() && !begun.hasEnded() && !labels.isGiven(labels.ofPath(begun.id()))) {
+                SegmentPath lost = knownAgain.find(begun, paths.values(), slices);
+                if (lost != null) {
+                    lost.takeOver(begun);
+                    labels.joinPaths(begun.id(), lost.id());
+                    paths.remove(begun.id());
+                    slices.forEach(slice -> slice.join(window, begun.id(), lost.id()));
+                    window.join(sliceFrom, window.end(), begun.id(), lost.id());
+                }
+            }
         }
     }
 
@@ -159,23 +208,32 @@ public final class Smoother {
             return;
         }
         Slice slice = slices.get(index);
+        slice.refresh(window, labels);
         List<SegmentPath> near = new ArrayList<>();
         for (SegmentPath path : paths.values()) {
-            if (path.isMeasured() && path.newestUs() >= slice.fromUs - back * sliceUs) {
+            if (path.isMeasured() && path.newestUs() >= slice.fromUs - back * sliceUs
+                    && slice.fromUs < path.endUs()) {
                 near.add(path);
             }
         }
         competition.decide(slices, index, near, FIRST_LOOK * sliceUs);
     }
 
-    private void setVelocities(Slice slice) {
+    private void settle(Slice slice) {
         long blockUs = Math.max(1, sliceUs / BLOCKS);
         SegmentPath path = null;
+        int label = 0;
         for (long i = slice.from; i < slice.until; i++) {
             int k = window.at(i);
             int id = window.segment[k];
+            window.label[k] = 0;
             if (id != 0) {
-                path = path != null && path.id() == id ? path : paths.get(id);
+                if (path == null || path.id() != id) {
+                    path = paths.get(id);
+                    label = labels.ofPath(id);
+                    labels.give(label);
+                }
+                window.label[k] = label;
                 if (path != null && path.isMeasured()) {
                     Motion motion = path.about(window.timeUs[k], blockUs);
                     window.vxPxPerS[k] = motion.vxAt(window.x[k], window.y[k], window.timeUs[k]);
@@ -193,9 +251,15 @@ public final class Smoother {
         finished = true;
     }
 
-    /** Whether a segment that has ended gets no further event, and all that it got were taken. */
-    public boolean isOver(int segment) {
-        return taken == labelled && (finished || !paths.containsKey(segment));
+    /** Whether no event gets a label unless the engine finds more of it, and all that it was given to were taken. */
+    public boolean isOver(int label) {
+        return taken == labelled && (finished
+            || paths.keySet().stream().noneMatch(path -> labels.ofPath(path) == label));
+    }
+
+    /** Lets a label go that no event gets any more. */
+    public void forget(int label) {
+        labels.forget(label);
     }
 
     /**
@@ -210,8 +274,8 @@ public final class Smoother {
             int k = window.at(taken++);
             int i = batch.size();
             batch.add(window.givenUs[k], window.x[k], window.y[k], window.polarity[k]);
-            boolean moves = window.segment[k] != 0;
-            flow.segment[i] = window.segment[k];
+            boolean moves = window.label[k] != 0;
+            flow.segment[i] = window.label[k];
             flow.vxPxPerS[i] = moves ? window.vxPxPerS[k] : 0;
             flow.vyPxPerS[i] = moves ? window.vyPxPerS[k] : 0;
         }

@@ -18,7 +18,7 @@ public class CompetitionTest {
     private static final long SLICE_US = 50_000;
 
     private final EventWindow window = new EventWindow();
-    private final Competition competition = new Competition(SENSOR, window);
+    private final Competition competition = new Competition(SENSOR, window, new Labels());
     private final List<Slice> slices = new ArrayList<>();
     private final List<SegmentPath> paths = new ArrayList<>();
 
@@ -44,7 +44,7 @@ public class CompetitionTest {
             }
             if ((c + 1) * COLUMN_US % SLICE_US == 0) {
                 long us = (c + 1) * COLUMN_US;
-                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us));
+                slices.add(new Slice(window, SENSOR, new Labels(), from, us - SLICE_US, us));
                 from = window.end();
             }
         }
@@ -87,7 +87,7 @@ public class CompetitionTest {
         // as they were found later
         List<Slice> found = new ArrayList<>();
         for (Slice slice : slices) {
-            found.add(new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs));
+            found.add(new Slice(until(slice.until), SENSOR, new Labels(), slice.from, slice.fromUs, slice.untilUs));
         }
         slices.clear();
         slices.addAll(found);
@@ -119,8 +119,8 @@ public class CompetitionTest {
             window.x[k] = (short) (window.x[k] - 7 - noise * 5 % 11);
             window.segment[k] = 1;
         }
-        slices.set(3, new Slice(until(slices.get(3).until), SENSOR, slices.get(3).from, slices.get(3).fromUs,
-            slices.get(3).untilUs));
+        slices.set(3, new Slice(until(slices.get(3).until), SENSOR, new Labels(), slices.get(3).from,
+            slices.get(3).fromUs, slices.get(3).untilUs));
         competition.decide(slices, 3, paths, 100_000);
         int without = 0;
         for (long i = slices.get(3).from; i < slices.get(3).until; i += 10) {

@@ -26,7 +26,7 @@ public class SliceTest {
     }
 
     private Slice slice() {
-        return new Slice(window, SENSOR, 0, 0, nowUs);
+        return new Slice(window, SENSOR, new Labels(), 0, 0, nowUs);
     }
 
     @Test

@@ -1,0 +1,138 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+import java.util.List;
+
+/**
+ * Tells whether a segment that began is one that was lost before: what turns round or pauses is lost where it stands,
+ * and found again with another velocity. It is the same where what was lost has few events since, the other began about
+ * where its motion leads to, and the contours of both agree when they are laid on one another.
+ */
+final class KnownAgain {
+    /** Travel over which a contour is drawn, in px. */
+    private static final double DRAWN_PX = 8;
+    /** Least events of a contour. */
+    private static final int LEAST = 30;
+    /** Share of the events of either contour that must lie within a px of the other one. */
+    private static final double LEAST_AGREEMENT = 0.65;
+    /** Events of a slice, as a share of the most, with which a segment is not lost yet. */
+    private static final double STRONG = 1.0 / 3;
+    /** Events that a lost segment may still get, as a share of those of the other. */
+    private static final double LEFT = 0.5;
+    /** Slowest motion that contours are drawn along, in px/s. */
+    private static final double SLOWEST_PX_PER_S = 1;
+    /** How far from where it is expected a segment may begin, in px, besides the way that it may have gone else. */
+    private static final double ROOM_PX = 3;
+    /** Part of a px that a step of the projection may take. */
+    private static final double STEP_PX = 0.25;
+
+    private final EventWindow window;
+    private final Picture lostPicture;
+    private final Picture begunPicture;
+    private final SteppedProjection projection = new SteppedProjection();
+    private final Motion along = new Motion();
+    private final Motion last = new Motion();
+    private final Motion first = new Motion();
+    // of the one that was lost: until when it was seen well, and its events in the slices since the other began
+    private long seenUs;
+    private long eventsSince;
+
+    KnownAgain(SensorSize sensor, EventWindow window) {
+        this.window = window;
+        lostPicture = new Picture(sensor);
+        begunPicture = new Picture(sensor);
+    }
+
+    /**
+     * The one among those that were lost that a segment is.
+     *
+     * @param slices those of the segments' last events, in order
+     * @return its path; null where there is none
+     */
+    SegmentPath find(SegmentPath begun, Iterable<SegmentPath> paths, List<Slice> slices) {
+        boolean isDrawn = false;
+        SegmentPath best = null;
+        double greatest = LEAST_AGREEMENT;
+        for (SegmentPath lost : paths) {
+            if (!mayBeLost(lost, begun, slices)) {
+                continue;
+            }
+            if (!isDrawn) {
+                begun.at(begun.firstSeenUs(), first);
+                draw(begun, first, 1, slices, begunPicture);
+                if (begunPicture.events() < LEAST) {
+                    return null;
+                }
+                isDrawn = true;
+            }
+            lost.at(seenUs, last);
+            draw(lost, last, -1, slices, lostPicture);
+            double agreement = lostPicture.events() < LEAST || !leadsThere(begun) ? 0
+                : lostPicture.agreement(begunPicture);
+            if (agreement > greatest) {
+                greatest = agreement;
+                best = lost;
+            }
+        }
+        return best;
+    }
+
+    private boolean mayBeLost(SegmentPath lost, SegmentPath begun, List<Slice> slices) {
+        if (lost == begun || !lost.isMeasured() || lost.hasEnded()
+                || lost.first().referenceUs >= begun.first().referenceUs) {
+            return false;
+        }
+        int most = 0;
+        long others = 0;
+        eventsSince = 0;
+        for (Slice slice : slices) {
+            Slice.Box box = slice.box(lost.id());
+            if (slice.fromUs >= begun.firstSeenUs()) {
+                Slice.Box other = slice.box(begun.id());
+                eventsSince += box == null ? 0 : box.events;
+                others += other == null ? 0 : other.events;
+            } else if (box != null) {
+                most = Math.max(most, box.events);
+                if (box.events > STRONG * most) {
+                    seenUs = Math.min(slice.untilUs, begun.firstSeenUs());
+                }
+            }
+        }
+        return most >= LEAST && eventsSince <= LEFT * others;
+    }
+
+    /** Whether the lost one was, or would be, about where the other began, however its motion changed meanwhile. */
+    private boolean leadsThere(SegmentPath begun) {
+        double gap = (begun.firstSeenUs() - seenUs) * 1e-6;
+        double x = begunPicture.middleX() - lostPicture.middleX() - 0.5 * gap * (last.vx + first.vx);
+        double y = begunPicture.middleY() - lostPicture.middleY() - 0.5 * gap * (last.vy + first.vy);
+        double way = 0.5 * gap * (Math.hypot(last.vx, last.vy) + Math.hypot(first.vx, first.vy));
+        double thickness = Math.max(lostPicture.thickness(), begunPicture.thickness());
+        return Math.hypot(x, y) < way + thickness / 2 + ROOM_PX;
+    }
+
+    /** Draws where the events of a segment lay that are after a time, or before it, moved to that time. */
+    private void draw(SegmentPath path, Motion at, int side, List<Slice> slices, Picture picture) {
+        picture.clear();
+        long us = at.referenceUs;
+        long sideUs = (long) (DRAWN_PX / Math.max(at.speed(0), SLOWEST_PX_PER_S) * 1e6);
+        path.at(us + side * sideUs / 2, along);
+        along.moveReference(us);
+        projection.begin(along, sideUs, 1, STEP_PX);
+        for (Slice slice : slices) {
+            if (slice.untilUs <= us - sideUs || slice.fromUs >= us + sideUs || !slice.has(path.id())) {
+                continue;
+            }
+            for (long i = slice.from; i < slice.until; i++) {
+                int k = window.at(i);
+                long afterUs = side * (window.timeUs[k] - us);
+                if (window.segment[k] == path.id() && afterUs >= 0 && afterUs < sideUs) {
+                    projection.advance(window.timeUs[k]);
+                    picture.add(projection.x(window.x[k], window.y[k]), projection.y(window.x[k], window.y[k]));
+                }
+            }
+        }
+    }
+}

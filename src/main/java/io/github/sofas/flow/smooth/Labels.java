@@ -1,0 +1,69 @@
+package io.github.sofas.flow.smooth;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Which segments proved to be one. A segment that is another known again has the path of that one; pieces of a body
+ * that merge later have one label, but paths of their own, because a piece's motion is that of the body only where the
+ * piece is. Most segments have their own of both.
+ */
+final class Labels {
+    private final Map<Integer, Integer> paths = new HashMap<>();
+    private final Map<Integer, Integer> labels = new HashMap<>();
+    /** Labels that events got for good. */
+    private final Set<Integer> given = new HashSet<>();
+
+    private static int in(Map<Integer, Integer> map, int id) {
+        Integer other = map.get(id);
+        return other == null ? id : other;
+    }
+
+    private static void join(Map<Integer, Integer> map, int from, int to) {
+        map.replaceAll((id, other) -> other == from ? to : other);
+        map.put(from, to);
+    }
+
+    /** The path of a segment of the engine. */
+    int path(int segment) {
+        return in(paths, segment);
+    }
+
+    /** The label of the events of a path. */
+    int ofPath(int path) {
+        return in(labels, path);
+    }
+
+    /** Gives all that have a label another one. */
+    void join(int from, int to) {
+        join(labels, from, to);
+    }
+
+    /** Gives all that have a path another one, and its label. */
+    void joinPaths(int from, int to) {
+        int label = ofPath(from);
+        join(paths, from, to);
+        if (label != ofPath(to)) {
+            join(labels, label, ofPath(to));
+        }
+    }
+
+    /** Notes that events got a label for good. */
+    void give(int label) {
+        given.add(label);
+    }
+
+    /** Whether events got a label for good. */
+    boolean isGiven(int label) {
+        return given.contains(label);
+    }
+
+    /** Lets a label go that no event gets any more. */
+    void forget(int label) {
+        paths.values().removeIf(path -> ofPath(path) == label);
+        labels.values().removeIf(each -> each == label);
+        given.remove(label);
+    }
+}

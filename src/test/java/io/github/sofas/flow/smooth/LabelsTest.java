@@ -1,0 +1,48 @@
+package io.github.sofas.flow.smooth;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.Test;
+
+public class LabelsTest {
+    private final Labels labels = new Labels();
+
+    @Test
+    public void mostHaveTheirOwnPathAndLabel() {
+        assertEquals(7, labels.path(7));
+        assertEquals(7, labels.ofPath(7));
+    }
+
+    @Test
+    public void piecesOfPiecesGetTheLabelOfTheLast() {
+        labels.join(1, 2);
+        labels.join(2, 3);
+        assertEquals(3, labels.ofPath(1));
+        assertEquals(3, labels.ofPath(2));
+        assertEquals("a piece has its own path", 1, labels.path(1));
+    }
+
+    @Test
+    public void whatIsKnownAgainHasThePathAndLabelOfTheOneBefore() {
+        labels.join(1, 2);
+        labels.join(6, 5);
+        labels.joinPaths(5, 1);
+        assertEquals(1, labels.path(5));
+        assertEquals(2, labels.ofPath(labels.path(5)));
+        assertEquals("its pieces go with it", 2, labels.ofPath(6));
+    }
+
+    @Test
+    public void forgetsWhatIsOver() {
+        labels.joinPaths(5, 1);
+        labels.join(1, 2);
+        labels.give(2);
+        assertTrue(labels.isGiven(2));
+        labels.forget(2);
+        assertFalse(labels.isGiven(2));
+        assertEquals(5, labels.path(5));
+        assertEquals(1, labels.ofPath(1));
+    }
+}
