@@ -84,10 +84,11 @@ public final class Sofas implements EventLabeller {
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
-     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most; 9 bytes per pixel; 8 bytes for
-     * each cell of the grid that motion is measured on; and for each track plane 4 bytes for each of (w + 48) (h + 48)
-     * cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 19 for each of its 16,384 live events at most, and
-     * 41,000 for the places that it was at and what it looked like there.
+     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 17 for each of the newest 2
+     * to 4 events per pixel, at most 2^20; 9 bytes per pixel; 8 bytes for each cell of the grid that motion is measured
+     * on; and for each track plane 4 bytes for each of (w + 48) (h + 48) cells and of (w/2 + 7) (h/2 + 7), rounded up
+     * to powers of two, 19 for each of its 16,384 live events at most, and 41,000 for the places that it was at and
+     * what it looked like there.
      *
      * <p>{@code paper}: 2 bytes for each cell of the n² accumulators, whose sides are those of the sensor and the
      * travel during the lifespan, rounded up to powers of two, at most 4,096; 9 for each cell of the plane that a

@@ -95,7 +95,7 @@ public class MemoryBoundTest {
         EventBatch noise = new EventBatch(1_300_000);
         Random random = new Random(1);
         for (int i = 0; i < noise.capacity(); i++) {
-            noise.add(i / 4, random.nextInt(240), random.nextInt(180), random.nextInt(2));
+            noise.add(i, random.nextInt(240), random.nextInt(180), random.nextInt(2));
         }
         SofasParameters p = SofasParameters.defaults();
         long held = measured(engineAfter(noise, SENSOR, p));

@@ -25,9 +25,12 @@ public final class FlowPlane {
      */
     private static final int MOST_EVENTS = FlowPlaneEvents.MOST_HELD - 2 * BLOCK;
 
+    private final SensorSize sensor;
     private final Projections projections;
     private final int n;
     private final FlowPlaneEvents events = new FlowPlaneEvents();
+    private final RecentEvents recent;
+    private final SearchedTiles searched;
     private final short[][] f;
     private final long[] metric;
     /** Events held by the projections of a speed. */
@@ -52,6 +55,9 @@ public final class FlowPlane {
     public FlowPlane(int sensorWidth, int sensorHeight, SofasParameters.Search p) {
         projections = new Projections(sensorWidth, sensorHeight, p);
         n = projections.n();
+        sensor = new SensorSize(sensorWidth, sensorHeight);
+        recent = new RecentEvents(sensor);
+        searched = new SearchedTiles(sensor);
         block = new VoteBlock(projections.columnBits(), projections.rowBits());
         f = new short[n * n][projections.cells()];
         metric = new long[n * n];
@@ -64,11 +70,15 @@ public final class FlowPlane {
     /** The most bytes that its arrays take. */
     static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
         return Projections.cells(sensor) * p.flowProjections() * p.flowProjections() * Short.BYTES
-            + FlowPlaneEvents.mostBytes();
+            + FlowPlaneEvents.mostBytes() + RecentEvents.bytes(sensor);
     }
 
-    /** Adds an event, which waits to be projected. */
+    /** Adds an event, which waits to be projected where its tile is searched. */
     public void add(int eventX, int eventY, long eventUs, int polarity) {
+        recent.add(eventX, eventY, eventUs, polarity);
+        if (!searched.takes(eventX, eventY, eventUs)) {
+            return;
+        }
         if (!started) {
             started = true;
             epochUs = eventUs;
@@ -185,6 +195,11 @@ public final class FlowPlane {
         return events;
     }
 
+    /** The newest events that came, also of tiles that are not searched. */
+    RecentEvents recent() {
+        return recent;
+    }
+
     /** Accumulator of a projection, read only. */
     short[] accumulator(int k) {
         return f[k];
@@ -197,6 +212,21 @@ public final class FlowPlane {
     /** Events held by the projections of a speed. */
     int count(int ring) {
         return count[ring];
+    }
+
+    /** Whether only some of the sensor's tiles are searched. */
+    boolean isThinned() {
+        return searched.isThinned();
+    }
+
+    /** The pixels that events come from. */
+    SensorSize sensor() {
+        return sensor;
+    }
+
+    /** Number of the oldest event that any projection holds. */
+    int oldest() {
+        return events.first();
     }
 
     /** Number of the oldest event that the projections of a speed hold. */
@@ -233,6 +263,8 @@ public final class FlowPlane {
         Arrays.fill(oldest, 0);
         Arrays.fill(end, 0);
         events.clear();
+        recent.clear();
+        searched.reset();
         settled = 0;
         total = 0;
         started = false;

@@ -73,6 +73,11 @@ final class FlowPlaneEvents {
         return head;
     }
 
+    /** Number of the oldest event that is held. */
+    int first() {
+        return first;
+    }
+
     /** Lets all events before a number go. */
     void letGo(int before) {
         first = before;

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.search;
 
 import java.util.Arrays;
+import java.util.BitSet;
 
 /**
  * The pieces of a projection: cells that stand out, with the occupied cells that are connected to them (paper, section
@@ -31,6 +32,8 @@ final class Pieces {
     private int[] events = new int[4096];
     private int[] pieceOf = new int[4096];
     private int[] starts = new int[256];
+    /** Pieces that are parts of texture. */
+    private final BitSet texture = new BitSet();
 
     /** The most bytes that its arrays take: two marks a cell, and three numbers an event. */
     static long mostBytes(long cells) {
@@ -61,6 +64,11 @@ final class Pieces {
         return pieces;
     }
 
+    /** Whether a piece is a part that texture was cut into. */
+    boolean isTexture(int piece) {
+        return texture.get(piece);
+    }
+
     /** Events of all pieces, each piece's in order of time. */
     int[] events() {
         return events;
@@ -76,6 +84,7 @@ final class Pieces {
         double threshold = threshold(f, squares, thresholdSd);
         int pieces = 0;
         filled = 0;
+        texture.clear();
         for (int c = 0; c < f.length; c++) {
             if (Math.abs(f[c]) < threshold || label[c] != 0) {
                 continue;
@@ -84,7 +93,9 @@ final class Pieces {
             int first = filled;
             flood(f, c, pieces);
             if (isFilled(c, first)) {
-                pieces = cut(first, pieces);
+                int last = cut(first, pieces);
+                texture.set(pieces, last + 1);
+                pieces = last;
             }
         }
         return pieces;

@@ -36,6 +36,7 @@ public final class StructureSearch {
     private final long[] refusedUntil;
     private final Pieces pieces;
     private final PieceRefinement refinement;
+    private final Surroundings surroundings;
     private final MetricFit fit;
     private final Structures structures;
     private final VoteBudget budget;
@@ -60,7 +61,8 @@ public final class StructureSearch {
 
     /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
-        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(Projections.cells(sensor));
+        return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(Projections.cells(sensor))
+            + Surroundings.bytes(sensor);
     }
 
     /**
@@ -81,6 +83,7 @@ public final class StructureSearch {
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
+        surroundings = new Surroundings(plane.sensor(), plane.recent(), fit);
     }
 
     /** Looks on with other parameters that leave the flow plane as it is. */
@@ -238,9 +241,16 @@ public final class StructureSearch {
     }
 
     private void track() {
+        takenSize = 0;
+        if (!(pieces.isTexture(piece) || plane.isThinned()) || !trackWithSurroundings()) {
+            trackPiece();
+        }
+        budget.spend((long) takenSize * n);
+    }
+
+    private void trackPiece() {
         int last = pieces.events()[from + size - 1];
         Structures.Structure structure = structures.create(events.timeUs(last), refinement.vx(), refinement.vy());
-        takenSize = 0;
         for (int a = from; a < from + size; a++) {
             hand(pieces.events()[a], structure);
         }
@@ -252,11 +262,37 @@ public final class StructureSearch {
                 hand(e, structure);
             }
         }
-        budget.spend((long) takenSize * n);
+    }
+
+    /** Tracks a piece of texture with all that moves alike around it; returns whether anything does. */
+    private boolean trackWithSurroundings() {
+        long nowUs = plane.recent().newestUs();
+        surroundings.begin(refinement.vx(), refinement.vy(), nowUs);
+        for (int a = from; a < from + size; a++) {
+            int e = pieces.events()[a];
+            surroundings.addPlace(events.x(e), events.y(e), events.timeUs(e));
+        }
+        surroundings.spread(p.minEvents());
+        if (!surroundings.isAny()) {
+            return false;
+        }
+        Structures.Structure structure = structures.create(nowUs, refinement.vx(), refinement.vy());
+        surroundings.hand(structure);
+        structure.begin(nowUs);
+        for (int e = plane.oldest(); e != events.head(); e++) {
+            if (!events.isTakenOut(e) && surroundings.has(events.x(e), events.y(e), events.timeUs(e))) {
+                take(e);
+            }
+        }
+        return true;
     }
 
     private void hand(int event, Structures.Structure structure) {
         structure.addPast(events.x(event), events.y(event), events.timeUs(event), events.sign(event));
+        take(event);
+    }
+
+    private void take(int event) {
         if (takenSize == taken.length) {
             taken = Arrays.copyOf(taken, 2 * takenSize);
         }

@@ -169,13 +169,11 @@ final class Contour {
         from.wipe();
     }
 
-    /** Takes over what was seen by another contour of the sensor, which is left to be wiped. */
+    /** Takes over what was seen by another contour of the sensor, cell by cell; both follow a motion from then on. */
     void absorb(Contour other, Motion along) {
         frame.follow(along, radius);
-        anchor();
         other.frame.follow(along, other.radius);
-        other.anchor();
-        cells.absorb(other.cells);
+        cells.absorb(other.cells, other.frame, frame);
     }
 
     /** Draws the contour anew from the live events, along a motion. */

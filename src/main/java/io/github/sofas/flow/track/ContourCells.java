@@ -229,18 +229,26 @@ final class ContourCells {
         }
     }
 
-    /** Adds what was seen by others. */
-    void absorb(ContourCells other) {
+    /** Adds what was seen by others, of another frame that follows the same motion. */
+    void absorb(ContourCells other, Frame its, Frame own) {
         for (int cy = other.minY; cy <= other.maxY; cy++) {
             for (int cx = other.minX; cx <= other.maxX; cx++) {
-                int c = cy * width + cx;
-                on[c] |= other.on[c];
-                off[c] |= other.off[c];
+                int d = cy * width + cx;
+                if ((other.on[d] | other.off[d]) != 0) {
+                    double x = its.toReferenceX(cx - MARGIN, cy - MARGIN);
+                    double y = its.toReferenceY(cx - MARGIN, cy - MARGIN);
+                    add(cell(own.fromReferenceX(x, y)), cell(own.fromReferenceY(x, y)), other.on[d], other.off[d]);
+                }
             }
         }
-        if (!other.isEmpty()) {
-            include(other.minX, other.minY);
-            include(other.maxX, other.maxY);
+    }
+
+    private void add(int cx, int cy, int seenOn, int seenOff) {
+        if (cx >= 1 && cy >= 1 && cx < width - 1 && cy < height - 1) {
+            int c = cy * width + cx;
+            on[c] |= (short) seenOn;
+            off[c] |= (short) seenOff;
+            include(cx, cy);
         }
     }
 

@@ -18,10 +18,12 @@ final class ContourMemory {
     private static final int NEVER = Integer.MIN_VALUE / 2;
     /** Cells of the four around an event that must be remembered: an edge passes through two. */
     private static final int LEAST_CELLS = 2;
-    /** Cells along a side of a tile, which has 8 px. */
-    private static final int TILE_CELLS = 4;
+    /** Fewest cells along a side of a tile, which has 8 px, and tiles along the width of a large sensor. */
+    private static final int LEAST_TILE_CELLS = 4;
+    private static final int TILES = 40;
 
     private final int columnBits;
+    private final int tileCells;
     private final int maskX;
     private final int maskY;
     /** Tick at which each cell was seen last. */
@@ -48,6 +50,8 @@ final class ContourMemory {
 
     ContourMemory(int sensorWidth, int sensorHeight) {
         columnBits = bits(sensorWidth);
+        // the events that cross a tile's border make what they are thinned to look like what it was taken for
+        tileCells = Math.max(LEAST_TILE_CELLS, Integer.highestOneBit(sensorWidth / 2 / TILES));
         maskX = (1 << columnBits) - 1;
         maskY = (1 << bits(sensorHeight)) - 1;
         seen = new int[(maskX + 1) * (maskY + 1)];
@@ -136,8 +140,8 @@ final class ContourMemory {
     /** Hash of the tile of the structure that an event lies on. */
     int tile(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
-        int column = Math.floorDiv((int) Math.floor(cellX), TILE_CELLS);
-        int row = Math.floorDiv((int) Math.floor(cellY), TILE_CELLS);
+        int column = Math.floorDiv((int) Math.floor(cellX), tileCells);
+        int row = Math.floorDiv((int) Math.floor(cellY), tileCells);
         int hash = column * 0x9E3779B1 ^ row * 0x85EBCA6B;
         hash = (hash ^ hash >>> 15) * 0x2C1B3C6D;
         return hash ^ hash >>> 13;

@@ -54,8 +54,32 @@ public class ContourCellsTest {
         assertEquals(-16, support(5, 3, 1));
         ContourCells others = new ContourCells(SENSOR);
         others.see(5, 3, -1, 0);
-        cells.absorb(others);
+        cells.absorb(others, anchored(), anchored());
         assertEquals(2 * 16, support(5, 3, -1));
+    }
+
+    @Test
+    public void othersAreAddedWhereTheirFrameLies() {
+        ContourCells others = new ContourCells(SENSOR);
+        others.see(5, 3, -1, 0);
+        others.see(-23, 3, 1, 0);
+        Frame its = anchored();
+        Frame own = anchored();
+        // what is at 5 in the other frame is at 5 + 2 of the sensor, and at 5 + 2 - 4 in the own
+        its.shift(-2, 0);
+        own.shift(-4, 1);
+        cells.absorb(others, its, own);
+        assertEquals(2, support(3, 4, -1));
+        assertEquals(0, support(5, 4, -1));
+        // at the border of the grid or beyond it is left out
+        cells.absorb(others, anchored(), own);
+        assertEquals(0, support(-23, 4, 1));
+    }
+
+    private static Frame anchored() {
+        Frame frame = new Frame();
+        frame.anchor(new Motion(), 0);
+        return frame;
     }
 
     @Test

@@ -1,0 +1,105 @@
+package io.github.sofas.flow.search;
+
+import io.github.sofas.event.SensorSize;
+
+/**
+ * The newest events that no track plane took, also of tiles that are not searched: what a structure that is found takes
+ * over from its surroundings. A ring by number, in which each event costs its place only.
+ */
+final class RecentEvents {
+    /** Events for each pixel of the sensor, at least: more than the densest texture gives in a few px of travel. */
+    private static final int PER_PIXEL = 2;
+    private static final int MOST = 1 << 20;
+    private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES;
+
+    private final long[] timeUs;
+    private final short[] x;
+    private final short[] y;
+    /** +1 or -1; 0 of an event that was taken. */
+    private final byte[] sign;
+    private final int mask;
+    private int head;
+    private int size;
+
+    RecentEvents(SensorSize sensor) {
+        int capacity = capacity(sensor);
+        mask = capacity - 1;
+        timeUs = new long[capacity];
+        x = new short[capacity];
+        y = new short[capacity];
+        sign = new byte[capacity];
+    }
+
+    /** Events that are held at most. */
+    static int capacity(SensorSize sensor) {
+        int wanted = Math.min(MOST, PER_PIXEL * sensor.width() * sensor.height());
+        return 1 << Integer.SIZE - Integer.numberOfLeadingZeros(wanted - 1);
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        return (long) EVENT_BYTES * capacity(sensor);
+    }
+
+    void add(int eventX, int eventY, long eventUs, int polarity) {
+        int i = head++ & mask;
+        timeUs[i] = eventUs;
+        x[i] = (short) eventX;
+        y[i] = (short) eventY;
+        sign[i] = (byte) polarity;
+        size = Math.min(size + 1, mask + 1);
+    }
+
+    /** Number after the newest event. */
+    int head() {
+        return head;
+    }
+
+    /** Time of the newest event. */
+    long newestUs() {
+        return timeUs[head - 1 & mask];
+    }
+
+    /** Number of the oldest event that is held and not before a time. */
+    int first(long fromUs) {
+        int low = head - size;
+        int count = size;
+        while (count > 0) {
+            int half = count / 2;
+            if (timeUs[low + half & mask] < fromUs) {
+                low += half + 1;
+                count -= half + 1;
+            } else {
+                count = half;
+            }
+        }
+        return low;
+    }
+
+    int x(int event) {
+        return x[event & mask];
+    }
+
+    int y(int event) {
+        return y[event & mask];
+    }
+
+    long timeUs(int event) {
+        return timeUs[event & mask];
+    }
+
+    /** +1 or -1, or 0 where it was taken. */
+    int sign(int event) {
+        return sign[event & mask];
+    }
+
+    /** Notes that a structure took an event. */
+    void take(int event) {
+        sign[event & mask] = 0;
+    }
+
+    /** Forgets all events. */
+    void clear() {
+        size = 0;
+    }
+}

@@ -1,0 +1,119 @@
+package io.github.sofas.flow.search;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MetricFit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.Test;
+
+/** What a new structure takes over from around it. */
+public class SurroundingsTest {
+    private static final SensorSize SENSOR = new SensorSize(256, 96);
+    private static final long NOW_US = 60_000;
+
+    private final RecentEvents events = new RecentEvents(SENSOR);
+    private final MetricFit fit = new MetricFit(256, 96, MetricFit.CELL_PX, 4096, 300);
+    private final Surroundings surroundings = new Surroundings(SENSOR, events, fit);
+
+    /** Two textures side by side: points left of column 128 move right at 100 px/s, the others by another velocity. */
+    private void film(int rightVx, int rightVy) {
+        Random random = new Random(1);
+        int points = 3000;
+        int[] x = random.ints(points, 8, 248).toArray();
+        int[] y = random.ints(points, 8, 88).toArray();
+        for (int step = 0; step < 6; step++) {
+            for (int i = 0; i < points; i++) {
+                boolean left = x[i] < 128;
+                events.add(x[i] + step * (left ? 1 : rightVx / 100), y[i] + step * (left ? 0 : rightVy / 100),
+                    step * 10_000L + i * 3, i % 2 == 0 ? 1 : -1);
+            }
+        }
+    }
+
+    private void spreadFrom(int x, int y) {
+        surroundings.begin(100, 0, NOW_US);
+        surroundings.addPlace(x, y, NOW_US);
+        surroundings.spread(40);
+    }
+
+    /** Takes events, and keeps their times. */
+    private static final class Taker implements Structures.Structure {
+        private final List<Long> times = new ArrayList<>();
+
+        @Override
+        public void addPast(int x, int y, long timeUs, int polarity) {
+            times.add(timeUs);
+        }
+
+        @Override
+        public void begin(long nowUs) {
+        }
+
+        @Override
+        public boolean expects(int x, int y, long timeUs, int polarity) {
+            return false;
+        }
+    }
+
+    @Test
+    public void allOfOneTextureMovesAlike() {
+        film(100, 0);
+        spreadFrom(40, 48);
+        assertTrue(surroundings.isAny());
+        for (int x = 48; x < 224; x += 32) {
+            assertTrue("at " + x, surroundings.has(x, 48, NOW_US));
+        }
+    }
+
+    @Test
+    public void textureThatMovesOtherwiseDoesNot() {
+        film(0, 100);
+        spreadFrom(40, 48);
+        assertTrue(surroundings.has(80, 48, NOW_US));
+        for (int x = 176; x < 256; x += 32) {
+            assertFalse("at " + x, surroundings.has(x, 48, NOW_US));
+        }
+    }
+
+    @Test
+    public void nothingMovesAlikeWhereTheVelocityIsAnother() {
+        film(100, 0);
+        surroundings.begin(-100, 0, NOW_US);
+        surroundings.addPlace(80, 48, NOW_US);
+        surroundings.spread(40);
+        assertFalse(surroundings.isAny());
+    }
+
+    @Test
+    public void tileOfAnEventIsTheOneThatItsPlaceIsOnNow() {
+        film(0, 100);
+        spreadFrom(40, 48);
+        // columns 128 to 159 stand; what was at 124 travels to 128 in 40 ms
+        assertEquals(surroundings.has(128, 48, NOW_US), surroundings.has(124, 48, NOW_US - 40_000));
+        assertEquals(surroundings.has(127, 48, NOW_US), surroundings.has(123, 48, NOW_US - 40_000));
+    }
+
+    @Test
+    public void eventsAreHandedOnceAndInOrder() {
+        film(100, 0);
+        spreadFrom(40, 48);
+        Taker first = new Taker();
+        surroundings.hand(first);
+        // of the last 40 ms, on tiles with events enough
+        assertTrue("handed " + first.times.size(), first.times.size() > 3000);
+        for (int i = 1; i < first.times.size(); i++) {
+            assertTrue(first.times.get(i) >= first.times.get(i - 1));
+        }
+        assertTrue(first.times.get(0) >= NOW_US - 40_000);
+        Taker second = new Taker();
+        surroundings.hand(second);
+        assertEquals(0, second.times.size());
+        spreadFrom(40, 48);
+        assertFalse(surroundings.isAny());
+    }
+}
