@@ -12,6 +12,7 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.LabelledSource;
 import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.host.Display;
@@ -44,13 +45,15 @@ import picocli.CommandLine.Spec;
     description = {"Compare SOFAS with jAER's LucasKanadeFlow and LocalPlanesFlow, inside jAER.",
         "The three filters get the same packets, each in its own jAER with default settings, except that measuring of "
         + "accuracy is off. With --truth: the accuracy of each, as 'evaluate' gives it. Without: the agreement of "
-        + "each pair. jAER needs a display; if there is none, Xvfb is used."},
+        + "each pair. jAER needs a display; if there is none, Xvfb is used.",
+        "Filters in jAER label events as they come; --look-ahead is for 'sofas run', which is compared with them."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:compared", "1:the recording is damaged, or jAER or the truth cannot be used", "2:wrong usage"})
 final class CompareCommand implements Callable<Integer> {
     private static final String FAMILY = "ch.unizh.ini.jaer.projects.rbodo.opticalflow.";
     private static final Map<String, String> FILTERS = filters();
     private static final String ENGINE = "sofas run";
+    private static final String ENGINE_AHEAD = "with look-ahead";
     private static final int BATCH = 4096;
 
     @Spec
@@ -77,6 +80,9 @@ final class CompareCommand implements Callable<Integer> {
     @Mixin
     private ReadingOptions reading;
 
+    @Mixin
+    private LookAheadOptions lookAhead;
+
     /** What a method made of the recording. */
     private record Labelled(String name, FlowEstimate estimate, double seconds, EventSourceException damage) {
     }
@@ -97,10 +103,11 @@ final class CompareCommand implements Callable<Integer> {
                 throw new ParameterException(spec.commandLine(), "[" + file + "] no such file or folder");
             }
         }
+        MethodChoice own = ownMethod();
         Path jar = plugin();
         try (Display display = Display.open(System.getenv("DISPLAY"))) {
             List<Labelled> all = new ArrayList<>();
-            all.add(engine());
+            all.add(engine(own));
             for (Map.Entry<String, String> filter : FILTERS.entrySet()) {
                 all.add(inJaer(jar, display, filter.getKey(), filter.getValue()));
             }
@@ -127,16 +134,29 @@ final class CompareCommand implements Callable<Integer> {
         return Main.FAILED;
     }
 
-    private Labelled engine() throws EventSourceException {
+    /** What labels the events outside of jAER: with look-ahead where that is asked for. */
+    private MethodChoice ownMethod() {
+        SofasParameters parameters = SofasParameters.defaults();
+        return lookAhead.applyTo(new MethodChoice(MethodOptions.Method.SOFAS.toString(), "default", Map.of(),
+            (sensor, ended) -> new Sofas(sensor, parameters, ended)), parameters);
+    }
+
+    private Labelled engine(MethodChoice method) throws EventSourceException {
         try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
-            Sofas sofas = new Sofas(reader.sensor(), SofasParameters.defaults());
-            long[] ns = new long[1];
-            Labelled labelled = label(ENGINE, reader, (batch, output) -> {
-                long start = System.nanoTime();
-                sofas.process(batch, output);
-                ns[0] += System.nanoTime() - start;
-            });
-            return new Labelled(ENGINE, labelled.estimate(), ns[0] * 1e-9, labelled.damage());
+            LabelledSource source = new LabelledSource(reader, method.labelling(reader.sensor(), ended -> { }));
+            String name = method.looksAhead() ? ENGINE_AHEAD : ENGINE;
+            EventSourceException damage = null;
+            EventBatch batch = new EventBatch(BATCH);
+            FlowOutput output = new FlowOutput(BATCH);
+            FlowEstimate estimate = new FlowEstimate();
+            try {
+                while (source.next(batch, output)) {
+                    estimate.append(output, batch.size());
+                }
+            } catch (EventSourceException e) {
+                damage = e;
+            }
+            return new Labelled(name, estimate, source.labellingNs() * 1e-9, damage);
         }
     }
 

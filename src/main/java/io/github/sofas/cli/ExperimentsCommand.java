@@ -142,7 +142,7 @@ final class ExperimentsCommand implements Callable<Integer> {
             throw usage("Missing required option: '--out=DIR', or for tables --random, --scenes, --recordings or "
                 + "--ablation");
         }
-        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions);
+        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions.parameters());
         PrintWriter err = spec.commandLine().getErr();
         PrintWriter to = spec.commandLine().getOut();
         try {

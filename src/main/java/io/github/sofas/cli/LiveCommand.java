@@ -157,7 +157,7 @@ final class LiveCommand implements Callable<Integer> {
         }
         MethodChoice method = methodOptions.choice(parameterOptions);
         if (delayMs != null) {
-            method = LookAheadOptions.withLookAhead(method, parameterOptions, "--delay", delayMs, spec);
+            method = LookAheadOptions.withLookAhead(method, parameterOptions.parameters(), "--delay", delayMs, spec);
         }
         if (!name.equals(String.valueOf(Path.of(name).getFileName())) || name.equals(".") || name.equals("..")
                 || name.isEmpty()) {

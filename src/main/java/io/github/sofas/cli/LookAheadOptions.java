@@ -1,5 +1,6 @@
 package io.github.sofas.cli;
 
+import io.github.sofas.export.RunSummary;
 import io.github.sofas.flow.SmoothedSofas;
 import io.github.sofas.flow.SofasParameters;
 import java.util.LinkedHashMap;
@@ -12,7 +13,7 @@ import picocli.CommandLine.Spec;
 /** Whether labels know what comes after an event. Goes with {@link MethodOptions}. */
 final class LookAheadOptions {
     /** The name of the parameter in results. */
-    static final String PARAMETER = "look-ahead-ms";
+    static final String PARAMETER = RunSummary.LOOK_AHEAD;
     private static final int US_PER_MS = 1000;
 
     @Spec(Spec.Target.MIXEE)
@@ -20,9 +21,12 @@ final class LookAheadOptions {
 
     @Option(names = "--look-ahead", paramLabel = "MS",
         description = "Label each event by what comes up to MS ms after it, too, 4 to 10000; 200 serves well. "
-            + "Velocities do not lag, and events from before a structure was found are labelled. Default: as a camera "
-            + "gets them, by what came before.")
+            + "Velocities do not lag, and events from before a structure was found are labelled.")
     private Integer lookAheadMs;
+
+    @Option(names = "--causal", description = "Label each event by what came before it only, as a camera gets its "
+        + "labels; the default.")
+    private boolean causal;
 
     /** Whether there is to be a look-ahead. */
     boolean isGiven() {
@@ -32,24 +36,29 @@ final class LookAheadOptions {
     /**
      * A method with the look-ahead that was asked for.
      *
-     * @throws ParameterException where the method has none, or the look-ahead is outside its range
+     * @param parameters those of the method where it is SOFAS
+     * @throws ParameterException where the method has none, or the look-ahead is outside its range or not wanted
      */
-    MethodChoice applyTo(MethodChoice method, ParameterOptions parameterOptions) {
-        return lookAheadMs == null ? method
-            : withLookAhead(method, parameterOptions, "--look-ahead", lookAheadMs, command);
+    MethodChoice applyTo(MethodChoice method, SofasParameters parameters) {
+        if (lookAheadMs == null) {
+            return method;
+        }
+        if (causal) {
+            throw new ParameterException(command.commandLine(), "--causal cannot be combined with --look-ahead");
+        }
+        return withLookAhead(method, parameters, "--look-ahead", lookAheadMs, command);
     }
 
     /** The same, of any option. */
-    static MethodChoice withLookAhead(MethodChoice method, ParameterOptions parameterOptions, String option, int ms,
+    static MethodChoice withLookAhead(MethodChoice method, SofasParameters parameters, String option, int ms,
                                       CommandSpec command) {
         if (!method.method().equals(MethodOptions.Method.SOFAS.toString())) {
             throw new ParameterException(command.commandLine(), option + " needs --method sofas but was used with "
                 + method.method());
         }
-        SofasParameters parameters = parameterOptions.parameters();
         if (parameters.preset() != SofasParameters.Preset.DEFAULT) {
             throw new ParameterException(command.commandLine(), option + " needs --preset default but was used with "
-                + parameterOptions.presetName());
+                + method.preset());
         }
         long us = (long) ms * US_PER_MS;
         if (us < SmoothedSofas.MIN_LOOK_AHEAD_US || us > SmoothedSofas.MAX_LOOK_AHEAD_US) {

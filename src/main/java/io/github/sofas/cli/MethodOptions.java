@@ -116,7 +116,7 @@ final class MethodOptions {
      */
     void refuseLabelling(String instead) {
         List<String> labelling = ofSofas();
-        labelling.addAll(List.of("--method", "--derivative", "--look-ahead"));
+        labelling.addAll(List.of("--method", "--derivative", "--look-ahead", "--causal"));
         refuse(labelling, "has no effect with " + instead + ": the events are not labelled again");
     }
 

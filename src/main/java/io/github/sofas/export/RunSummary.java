@@ -30,6 +30,8 @@ public record RunSummary(String version, String request, RecordingSummary record
                          Map<String, Object> parameters, long eventsWithFlow, String withoutFlow,
                          List<Segment> segments, Map<String, Long> eventsDropped, Seconds seconds,
                          long peakHeapBytes) {
+    /** Name of the parameter that labels have which know what comes after an event: up to how many ms later. */
+    public static final String LOOK_AHEAD = "look-ahead-ms";
     /** Least share of the events with flow that a segment which counts holds. */
     public static final double LEAST_SHARE = 0.01;
 
@@ -42,6 +44,11 @@ public record RunSummary(String version, String request, RecordingSummary record
      * @param output making and writing the rows
      */
     public record Seconds(double wall, double decode, double engine, double output) {
+    }
+
+    /** {@return whether each label follows from what came before its event only} */
+    public boolean isCausal() {
+        return !parameters.containsKey(LOOK_AHEAD);
     }
 
     /** {@return events with flow among all, 0 to 1; 0 where there is no event} */
@@ -90,6 +97,7 @@ public record RunSummary(String version, String request, RecordingSummary record
             recording.write(json);
             json.writeStringField("method", method);
             json.writeStringField("preset", preset);
+            json.writeBooleanField("causal", isCausal());
             json.writeFieldName("parameters");
             Json.writeParameters(json, parameters);
             json.writeNumberField("events", recording.events());

@@ -34,4 +34,11 @@ public class CompareCommandTest {
         assertTrue(err.toString(),
             err.toString().startsWith("[no-such.jar] no such file; --plugin names sofas-jAER.jar"));
     }
+
+    @Test
+    public void refusesALookAheadOutsideItsRangeBeforeAnythingRuns() {
+        assertEquals(Main.USAGE,
+            run("compare", "recordings/short-bar.aedat", "--jaer", "recordings", "--look-ahead", "3"));
+        assertTrue(err.toString(), err.toString().startsWith("--look-ahead must be 4 to 10000 but was 3"));
+    }
 }

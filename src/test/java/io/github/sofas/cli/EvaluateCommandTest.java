@@ -70,6 +70,29 @@ public class EvaluateCommandTest {
         assertEquals("", err.toString());
     }
 
+    private String jsonOfHexagon(String name, String... more) throws IOException {
+        Path json = folder.getRoot().toPath().resolve(name);
+        List<String> arguments = new ArrayList<>(List.of("evaluate", "recordings/hexagon.aedat", "--truth",
+            "recordings/hexagon.truth.csv", "--skip-first-share", "0", "--json", json.toString()));
+        arguments.addAll(List.of(more));
+        assertEquals(0, Main.execute(new PrintWriter(out), new PrintWriter(err), arguments.toArray(new String[0])));
+        return Files.readString(json);
+    }
+
+    private static double shareWithFlow(String json) {
+        int at = json.indexOf("\"share_with_flow\" : ") + "\"share_with_flow\" : ".length();
+        return Double.parseDouble(json.substring(at, json.indexOf(',', at)));
+    }
+
+    @Test
+    public void lookAheadIsEvaluatedAsItIsAskedFor() throws IOException {
+        String causal = jsonOfHexagon("causal.json", "--causal");
+        String ahead = jsonOfHexagon("ahead.json", "--look-ahead", "200");
+        assertFalse(causal, causal.contains("look-ahead-ms"));
+        assertTrue(ahead, ahead.contains("\"look-ahead-ms\" : 200"));
+        assertTrue(ahead, shareWithFlow(ahead) > 0.99 && shareWithFlow(causal) < 0.99);
+    }
+
     @Test
     public void leavesOutTheShareThatIsAskedFor() {
         assertEquals(0, evaluate("--skip-first-share", "0.5"));

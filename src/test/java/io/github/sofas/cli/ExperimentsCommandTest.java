@@ -2,6 +2,7 @@ package io.github.sofas.cli;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
@@ -65,6 +66,19 @@ public class ExperimentsCommandTest {
         assertUsage("--preset needs --method sofas but was used with local-planes", "experiments", "--random", "1",
             "--method", "local-planes", "--preset", "paper");
         assertUsage("--random must be at least 1 but was 0", "experiments", "--random", "0");
+    }
+
+    @Test
+    public void tablesTakeALookAhead() {
+        String[] table = {"experiments", "--random", "1", "--from-seed", "3", "--jobs", "1", "--causal"};
+        Executed causal = Executed.command(table);
+        table[table.length - 1] = "--look-ahead=100";
+        Executed ahead = Executed.command(table);
+        assertEquals(ahead.err, 0, ahead.exitCode);
+        assertNotEquals(withoutTimes(causal.out), withoutTimes(ahead.out));
+        assertEquals(withoutTimes(ahead.out), withoutTimes(Executed.command(table).out));
+        assertUsage("--look-ahead needs a table of one method: --random, --scenes or --recordings without --out",
+            "experiments", "--out", "out", "--look-ahead", "100");
     }
 
     @Test

@@ -565,7 +565,21 @@ public class RunCommandTest {
         assertTrue(withoutFlow(rows) < withoutFlow(causalRows));
         String summary = Files.readString(ahead.resolve("hexagon.summary.json"));
         assertTrue(summary, summary.contains("\"look-ahead-ms\" : 200"));
-        assertFalse(Files.readString(out.resolve("hexagon.summary.json")).contains("look-ahead"));
+        assertTrue(summary, summary.contains("\"causal\" : false"));
+        String causalSummary = Files.readString(out.resolve("hexagon.summary.json"));
+        assertTrue(causalSummary, causalSummary.contains("\"causal\" : true"));
+        assertFalse(causalSummary, causalSummary.contains("look-ahead"));
+    }
+
+    @Test
+    public void causalLabelsAreTheDefault() throws IOException {
+        assertEquals(0, run(HEXAGON).exitCode);
+        Path causal = root.resolve("causal");
+        assertEquals(0, runTo(causal, "--causal", HEXAGON).exitCode);
+        assertArrayEquals(Files.readAllBytes(out.resolve("hexagon.flow.csv")),
+            Files.readAllBytes(causal.resolve("hexagon.flow.csv")));
+        assertTrue(run("--causal", "--look-ahead", 100, HEXAGON).err
+            .contains("--causal cannot be combined with --look-ahead"));
     }
 
     private static List<String> eventsOf(List<String> rows) {

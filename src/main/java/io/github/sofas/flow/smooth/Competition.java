@@ -20,6 +20,8 @@ final class Competition {
     static final int SIDE_PARTS = 8;
     /** Claim that an event needs to belong to a segment. */
     private static final double LEAST = 4;
+    /** The same of one that the engine gave to a segment. */
+    private static final double LEAST_LABELLED = 3;
     /** What the label that it has adds to a claim. */
     private static final double PRIOR = 1.5;
     /** What events count for that have no label yet, and those of another segment. */
@@ -99,7 +101,7 @@ final class Competition {
                 for (int k = slice.start(t); k < slice.start(t + 1); k++) {
                     int i = (int) (slice.event(k) - slice.from);
                     winner[i] = OPEN;
-                    claim[i] = LEAST;
+                    claim[i] = window.segment[window.at(slice.event(k))] == 0 ? LEAST : LEAST_LABELLED;
                 }
             }
         }
