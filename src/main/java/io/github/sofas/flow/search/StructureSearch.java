@@ -14,8 +14,9 @@ import java.util.Arrays;
  * events that come in the meantime, so that none of them waits for it.
  */
 public final class StructureSearch {
-    /** Unmatched events between two looks. */
+    /** Unmatched events between two looks, and cells of an accumulator for each where that is more. */
     private static final int EVERY = 128;
+    private static final int EVERY_CELLS = 512;
     /** Standard deviations by which a metric must pass what chance gives. */
     private static final double CHANCE_SIGMAS = 6;
     /** Share of its events that a piece must not have been looked at with before, in vain. */
@@ -33,6 +34,7 @@ public final class StructureSearch {
     private final Projections projections;
     private final FlowPlaneEvents events;
     private final int n;
+    private final int every;
     private final long[] refusedUntil;
     private final Pieces pieces;
     private final PieceRefinement refinement;
@@ -80,6 +82,7 @@ public final class StructureSearch {
         this.p = p;
         this.fit = fit;
         n = projections.n();
+        every = Math.max(EVERY, projections.cells() / EVERY_CELLS);
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
@@ -127,7 +130,7 @@ public final class StructureSearch {
 
     /** Begins to look at the best projection, if there is one. */
     private void look() {
-        nextLook = plane.total() + EVERY;
+        nextLook = plane.total() + every;
         int best = structures.isFull() ? -1 : best();
         if (best >= 0) {
             projection = best;
@@ -199,7 +202,7 @@ public final class StructureSearch {
             int held = plane.count(projection / n);
             refusedUntil[projection] = total + Math.max(64, held / 4);
             // the more it cost the longer, but as long as much of what is held is as it was
-            nextLook = total + Math.max(EVERY, Math.min(held / 8, (fit.votes() - votesBefore) / VAIN_VOTES));
+            nextLook = total + Math.max(every, Math.min(held / 8, (fit.votes() - votesBefore) / VAIN_VOTES));
         }
     }
 

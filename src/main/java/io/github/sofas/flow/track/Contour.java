@@ -36,6 +36,9 @@ final class Contour {
     private final Frame frame = new Frame();
     private final SteppedProjection past = new SteppedProjection();
     private long fadedUs;
+    /** Cell of the event whose support was asked for last. */
+    private int lastX;
+    private int lastY;
 
     private int threshold;
     private double sureSupport;
@@ -103,7 +106,9 @@ final class Contour {
     /** Support of an event by the events of late around its cell. */
     int support(int x, int y, long timeUs, int polarity) {
         frame.advance(timeUs);
-        return cells.support(ContourCells.cell(frame.x(x, y)), ContourCells.cell(frame.y(x, y)), polarity);
+        lastX = ContourCells.cell(frame.x(x, y));
+        lastY = ContourCells.cell(frame.y(x, y));
+        return cells.support(lastX, lastY, polarity);
     }
 
     /**
@@ -120,9 +125,9 @@ final class Contour {
         return (int) Math.min(ContourCells.SIXTEENTHS, ageUs * ContourCells.SIXTEENTHS / Math.max(1, lifetimeUs));
     }
 
-    /** Notes an event of now on its cell. */
-    void add(int x, int y, long timeUs, int polarity) {
-        add(x, y, timeUs, polarity, 0, 1);
+    /** Notes the event whose support was asked for last, as one of now. */
+    void addLast(int polarity) {
+        cells.seeCell(lastX, lastY, polarity, 0);
     }
 
     /** Lets go what is older than the lifetime. */

@@ -5,7 +5,8 @@ import java.util.Arrays;
 
 /**
  * When events fell on each cell of a track plane's frame, ON and OFF apart: a bit for each sixteenth of the lifetime,
- * the newest highest; and the box of the cells that hold any. A cell is as large as a pixel.
+ * the newest highest; and the box of the cells that hold any. A cell is as large as a pixel. ON has the low half of an
+ * int and OFF the high one: what is around an event is nine numbers on three lines of the cache.
  *
  * <p>Ours: sixteenths count, not events, because what moves otherwise crosses a cell in a part of the lifetime, with as
  * many events as what belongs there brings in all of it. The 3 x 3 cells around an event support it; those of the other
@@ -22,9 +23,8 @@ final class ContourCells {
 
     private final int width;
     private final int height;
-    /** Sixteenths in which ON and OFF events fell on each cell. */
-    private final short[] on;
-    private final short[] off;
+    /** Sixteenths in which ON and OFF events fell on each cell, OFF in the high half. */
+    private final int[] seen;
 
     // box of the occupied cells, a cell wider all round; beyond it there is no support
     private int minX;
@@ -35,14 +35,13 @@ final class ContourCells {
     ContourCells(SensorSize sensor) {
         width = sensor.width() + 2 * MARGIN;
         height = sensor.height() + 2 * MARGIN;
-        on = new short[width * height];
-        off = new short[width * height];
+        seen = new int[width * height];
         forgetBox();
     }
 
     /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
-        return 2L * Short.BYTES * (sensor.width() + 2 * MARGIN) * (sensor.height() + 2 * MARGIN);
+        return (long) Integer.BYTES * (sensor.width() + 2 * MARGIN) * (sensor.height() + 2 * MARGIN);
     }
 
     /** Column or row of the cell at a place in the frame, in px; negative where it lies far before the first. */
@@ -86,8 +85,7 @@ final class ContourCells {
     }
 
     boolean isOccupied(int cx, int cy) {
-        int c = cy * width + cx;
-        return (on[c] | off[c]) != 0;
+        return seen[cy * width + cx] != 0;
     }
 
     /**
@@ -98,18 +96,19 @@ final class ContourCells {
         if (!isInBox(cx, cy)) {
             return 0;
         }
-        int c = cy * width + cx;
-        short[] own = polarity > 0 ? on : off;
-        short[] other = polarity > 0 ? off : on;
-        return 2 * Integer.bitCount(around(own, c)) - Integer.bitCount(around(other, c));
+        int around = around(cy * width + cx);
+        int on = Integer.bitCount(around & ALL);
+        int off = Integer.bitCount(around >>> SIXTEENTHS);
+        return polarity > 0 ? 2 * on - off : 2 * off - on;
     }
 
     /** The box keeps one cell from the grid's border, so that the neighbours exist. */
-    private int around(short[] seen, int c) {
+    private int around(int c) {
+        int[] cells = seen;
         int up = c - width;
         int down = c + width;
-        return ALL & (seen[up - 1] | seen[up] | seen[up + 1] | seen[c - 1] | seen[c] | seen[c + 1]
-            | seen[down - 1] | seen[down] | seen[down + 1]);
+        return cells[up - 1] | cells[up] | cells[up + 1] | cells[c - 1] | cells[c] | cells[c + 1]
+            | cells[down - 1] | cells[down] | cells[down + 1];
     }
 
     /**
@@ -118,14 +117,15 @@ final class ContourCells {
      * @param age in sixteenths, 0 for an event of now; from 16 on it is none
      */
     void see(double x, double y, int polarity, int age) {
-        int cx = cell(x);
-        int cy = cell(y);
+        seeCell(cell(x), cell(y), polarity, age);
+    }
+
+    /** The same on a cell. */
+    void seeCell(int cx, int cy, int polarity, int age) {
         if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1 || age >= SIXTEENTHS) {
             return;
         }
-        int c = cy * width + cx;
-        short[] own = polarity > 0 ? on : off;
-        own[c] |= (short) (NEWEST >> age);
+        seen[cy * width + cx] |= NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS);
         include(cx, cy);
     }
 
@@ -153,17 +153,18 @@ final class ContourCells {
         int toY = maxY;
         forgetBox();
         for (int cy = fromY; cy <= toY; cy++) {
-            int from = cy * width + fromX;
-            int to = cy * width + toX;
-            pass(on, from, to, shift);
-            pass(off, from, to, shift);
+            pass(cy * width + fromX, cy * width + toX, shift);
             includeRow(cy, fromX, toX);
         }
     }
 
-    private static void pass(short[] seen, int from, int to, int shift) {
+    private void pass(int from, int to, int shift) {
+        int[] cells = seen;
+        // what of ON passes below its half's end falls out, and of OFF into ON's half is cut off
+        int left = ALL >> shift;
+        int both = left << SIXTEENTHS | left;
         for (int c = from; c <= to; c++) {
-            seen[c] = (short) ((seen[c] & ALL) >> shift);
+            cells[c] = cells[c] >>> shift & both;
         }
     }
 
@@ -220,11 +221,9 @@ final class ContourCells {
     }
 
     private void take(int cx, int cy, ContourCells from, int fromX, int fromY) {
-        int c = cy * width + cx;
-        int d = fromY * width + fromX;
-        on[c] = from.on[d];
-        off[c] = from.off[d];
-        if ((on[c] | off[c]) != 0) {
+        int of = from.seen[fromY * width + fromX];
+        seen[cy * width + cx] = of;
+        if (of != 0) {
             include(cx, cy);
         }
     }
@@ -233,21 +232,19 @@ final class ContourCells {
     void absorb(ContourCells other, Frame its, Frame own) {
         for (int cy = other.minY; cy <= other.maxY; cy++) {
             for (int cx = other.minX; cx <= other.maxX; cx++) {
-                int d = cy * width + cx;
-                if ((other.on[d] | other.off[d]) != 0) {
+                int of = other.seen[cy * width + cx];
+                if (of != 0) {
                     double x = its.toReferenceX(cx - MARGIN, cy - MARGIN);
                     double y = its.toReferenceY(cx - MARGIN, cy - MARGIN);
-                    add(cell(own.fromReferenceX(x, y)), cell(own.fromReferenceY(x, y)), other.on[d], other.off[d]);
+                    add(cell(own.fromReferenceX(x, y)), cell(own.fromReferenceY(x, y)), of);
                 }
             }
         }
     }
 
-    private void add(int cx, int cy, int seenOn, int seenOff) {
+    private void add(int cx, int cy, int of) {
         if (cx >= 1 && cy >= 1 && cx < width - 1 && cy < height - 1) {
-            int c = cy * width + cx;
-            on[c] |= (short) seenOn;
-            off[c] |= (short) seenOff;
+            seen[cy * width + cx] |= of;
             include(cx, cy);
         }
     }
@@ -255,8 +252,7 @@ final class ContourCells {
     /** Empties all cells. */
     void wipe() {
         for (int cy = minY; cy <= maxY; cy++) {
-            Arrays.fill(on, cy * width + minX, cy * width + maxX + 1, (short) 0);
-            Arrays.fill(off, cy * width + minX, cy * width + maxX + 1, (short) 0);
+            Arrays.fill(seen, cy * width + minX, cy * width + maxX + 1, 0);
         }
         forgetBox();
     }

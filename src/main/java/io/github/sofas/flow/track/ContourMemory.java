@@ -140,15 +140,17 @@ final class ContourMemory {
     /** Hash of the tile of the structure that an event lies on. */
     int tile(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
-        int column = Math.floorDiv((int) Math.floor(cellX), tileCells);
-        int row = Math.floorDiv((int) Math.floor(cellY), tileCells);
-        int hash = column * 0x9E3779B1 ^ row * 0x85EBCA6B;
+        return tile((int) Math.floor(cellX), (int) Math.floor(cellY));
+    }
+
+    private int tile(int cx, int cy) {
+        int hash = Math.floorDiv(cx, tileCells) * 0x9E3779B1 ^ Math.floorDiv(cy, tileCells) * 0x85EBCA6B;
         hash = (hash ^ hash >>> 15) * 0x2C1B3C6D;
         return hash ^ hash >>> 13;
     }
 
-    /** Remembers where an event lies as a place of the structure. */
-    void see(int x, int y, long timeUs) {
+    /** Remembers where an event lies as a place of the structure; returns the hash of its tile. */
+    int see(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
         int cx = (int) Math.floor(cellX);
         int cy = (int) Math.floor(cellY);
@@ -157,6 +159,7 @@ final class ContourMemory {
         minY = Math.min(minY, cy);
         maxY = Math.max(maxY, cy);
         seen[(cy & maskY) << columnBits | cx & maskX] = tick(timeUs);
+        return tile(cx, cy);
     }
 
     private int tick(long timeUs) {

@@ -145,24 +145,20 @@ public final class TrackPlane {
     /** Adds an event of the structure's past, before its motion is measured for the first time. */
     public void addPast(int x, int y, long timeUs, int polarity) {
         contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), lifetimeUs);
-        memory.see(x, y, timeUs);
-        live.add(x, y, timeUs, polarity, Claim.OWN, memory.tile(x, y, timeUs));
+        live.add(x, y, timeUs, polarity, Claim.OWN, memory.see(x, y, timeUs));
     }
 
     /**
-     * Takes an event that lies on the contour, or where it is remembered, and measures the motion when enough have
-     * come.
+     * Takes the event whose support was asked for last, which lies on the contour or where it is remembered, and
+     * measures the motion when enough have come.
      *
      * @param claim why it is taken
      */
     void take(int x, int y, long timeUs, int polarity, Claim claim, MetricFit fit) {
         events++;
         lastUs = timeUs;
-        contour.add(x, y, timeUs, polarity);
-        if (claim != Claim.REMEMBERED) {
-            memory.see(x, y, timeUs);
-        }
-        int tile = memory.tile(x, y, timeUs);
+        contour.addLast(polarity);
+        int tile = claim == Claim.REMEMBERED ? memory.tile(x, y, timeUs) : memory.see(x, y, timeUs);
         if (live.takes(tile)) {
             live.add(x, y, timeUs, polarity, claim, tile);
             sinceMeasured++;

@@ -41,7 +41,7 @@ public class ContourTest {
     private void addBlock(int fromX, int fromY, int side) {
         for (int y = fromY; y < fromY + side; y++) {
             for (int x = fromX; x < fromX + side; x++) {
-                contour.add(x, y, 0, 1);
+                contour.add(x, y, 0, 1, 0, 1);
             }
         }
     }
@@ -57,7 +57,7 @@ public class ContourTest {
     @Test
     public void eventIsSupportedByTheNineCellsAroundIt() {
         startAtRest();
-        contour.add(30, 20, 0, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
         for (int dy = -2; dy <= 2; dy++) {
             for (int dx = -2; dx <= 2; dx++) {
                 boolean near = Math.max(Math.abs(dx), Math.abs(dy)) <= 1;
@@ -72,7 +72,7 @@ public class ContourTest {
         addBlock(29, 19, 3);
         assertEquals(2, contour.support(30, 20, 5, 1));
         contour.fade(10_000, LIFETIME_US);
-        contour.add(31, 21, 10_000, 1);
+        contour.add(31, 21, 10_000, 1, 0, 1);
         assertEquals(4, contour.support(30, 20, 10_005, 1));
         assertEquals(2, contour.support(29, 20, 10_005, 1));
     }
@@ -84,9 +84,9 @@ public class ContourTest {
         startAtRest();
         for (int k = 0; k < 16; k++) {
             contour.fade(k * 10_000, LIFETIME_US);
-            contour.add(30, 20, k * 10_000, 1);
+            contour.add(30, 20, k * 10_000, 1, 0, 1);
             for (int i = 0; i < 10; i++) {
-                contour.add(50 + k, 20, k * 10_000, 1);
+                contour.add(50 + k, 20, k * 10_000, 1, 0, 1);
             }
         }
         assertEquals(2 * 16, contour.support(30, 20, 155_000, 1));
@@ -98,14 +98,14 @@ public class ContourTest {
         startAtRest();
         for (int k = 0; k < 3; k++) {
             contour.fade(k * 10_000, LIFETIME_US);
-            contour.add(30, 20, k * 10_000, 1);
+            contour.add(30, 20, k * 10_000, 1, 0, 1);
         }
         assertEquals(6, contour.support(30, 20, 20_005, 1));
         assertEquals(-3, contour.support(30, 20, 20_005, -1));
         // what flickers: as many of each
         for (int k = 3; k < 6; k++) {
             contour.fade(k * 10_000, LIFETIME_US);
-            contour.add(30, 20, k * 10_000, -1);
+            contour.add(30, 20, k * 10_000, -1, 0, 1);
         }
         assertEquals(6 - 3, contour.support(30, 20, 50_005, 1));
         assertEquals(6 - 3, contour.support(30, 20, 50_005, -1));
@@ -114,11 +114,11 @@ public class ContourTest {
     @Test
     public void eventsOfTwoSixteenthsPutAnotherOnTheContour() {
         startAtRest();
-        contour.add(30, 20, 0, 1);
-        contour.add(30, 20, 5_000, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
+        contour.add(30, 20, 5_000, 1, 0, 1);
         assertFalse(contour.support(31, 20, 5_000, 1) >= contour.threshold());
         contour.fade(10_000, LIFETIME_US);
-        contour.add(30, 20, 10_000, 1);
+        contour.add(30, 20, 10_000, 1, 0, 1);
         assertTrue(contour.support(31, 20, 10_000, 1) >= contour.threshold());
     }
 
@@ -127,7 +127,7 @@ public class ContourTest {
         startAtRest();
         for (int k = 0; k < 20; k++) {
             contour.fade(k * 10_000, LIFETIME_US);
-            contour.add(30, 20, k * 10_000, 1);
+            contour.add(30, 20, k * 10_000, 1, 0, 1);
         }
         // four of twenty are older than the lifetime
         assertEquals(32, contour.support(30, 20, 190_005, 1));
@@ -143,7 +143,7 @@ public class ContourTest {
     @Test
     public void loneEventIsGoneAfterALifetime() {
         startAtRest();
-        contour.add(30, 20, 0, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
         contour.fade(150_000, LIFETIME_US);
         assertFalse(contour.isEmpty());
         contour.fade(160_000, LIFETIME_US);
@@ -155,9 +155,9 @@ public class ContourTest {
     public void boxIsThatOfTheOccupiedCells() {
         startAtRest();
         assertTrue(contour.isEmpty());
-        contour.add(30, 20, 0, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
         assertEquals(0, contour.extent());
-        contour.add(45, 27, 0, -1);
+        contour.add(45, 27, 0, -1, 0, 1);
         assertEquals(30, contour.left(0), 0);
         assertEquals(45, contour.right(0), 0);
         assertEquals(20, contour.top(0), 0);
@@ -168,9 +168,9 @@ public class ContourTest {
     @Test
     public void boxShrinksToWhatHasNotFaded() {
         startAtRest();
-        contour.add(30, 20, 0, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
         contour.fade(10_000, LIFETIME_US);
-        contour.add(45, 27, 10_000, 1);
+        contour.add(45, 27, 10_000, 1, 0, 1);
         contour.fade(160_000, LIFETIME_US);
         assertEquals(45, contour.left(160_000), 0);
         assertEquals(45, contour.right(160_000), 0);
@@ -182,7 +182,7 @@ public class ContourTest {
     public void boxTravelsWithTheStructure() {
         // 100 px/s to the right, 50 up
         start(100, -50);
-        contour.add(30, 60, 0, 1);
+        contour.add(30, 60, 0, 1, 0, 1);
         assertEquals(50, contour.left(200_000), 1e-9);
         assertEquals(50, contour.bottom(200_000), 1e-9);
     }
@@ -200,7 +200,7 @@ public class ContourTest {
     public void cellsAreKeptWhenTheFrameIsAnchoredAfterTwelvePixels() {
         start(100, 0);
         addBlock(30, 20, 3);
-        contour.add(31, 21, 0, -1);
+        contour.add(31, 21, 0, -1, 0, 1);
         int before = contour.support(31, 21, 0, 1);
         int beside = contour.support(33, 22, 0, 1);
         for (long timeUs = 10_000; timeUs <= 400_000; timeUs += 10_000) {
@@ -289,11 +289,11 @@ public class ContourTest {
         Motion its = new Motion();
         its.set(0, 0, 100);
         other.start(its);
-        other.add(41, 11, 0, 1);
-        other.add(50, 11, 0, -1);
+        other.add(41, 11, 0, 1, 0, 1);
+        other.add(50, 11, 0, -1, 0, 1);
         contour.fade(10_000, LIFETIME_US);
         other.fade(10_000, LIFETIME_US);
-        other.add(42, 12, 10_000, 1);
+        other.add(42, 12, 10_000, 1, 0, 1);
         // both along their own for 0.1 s: (41, 11) is at (41, 21), as the middle of the block is
         motion.moveReference(100_000);
         contour.absorb(other, motion);
@@ -312,14 +312,14 @@ public class ContourTest {
         addBlock(30, 20, 3);
         Contour other = new Contour(SENSOR, spare);
         other.start(motion);
-        other.add(30, 60, 0, 1);
+        other.add(30, 60, 0, 1, 0, 1);
         followTo(130_000);
         other.follow(motion);
         motion.moveReference(260_000);
         contour.follow(motion);
         other.follow(motion);
-        contour.add(56, 60, 260_000, -1);
-        other.add(56, 20, 260_000, -1);
+        contour.add(56, 60, 260_000, -1, 0, 1);
+        other.add(56, 20, 260_000, -1, 0, 1);
         assertEquals(-1, contour.support(56, 61, 260_000, 1));
         assertEquals(2, contour.support(57, 21, 260_000, 1));
         assertEquals(2, other.support(56, 60, 260_000, 1));
@@ -350,7 +350,7 @@ public class ContourTest {
         start(100, 0);
         int[][] places = {{20, 20, 0}, {31, 20, 10_000}, {22, 30, 20_000}, {33, 30, 30_000}};
         for (int[] place : places) {
-            contour.add(place[0], place[1], place[2], 1);
+            contour.add(place[0], place[1], place[2], 1, 0, 1);
         }
         followTo(30_000);
         contour.measure(live(places), motion);
@@ -367,7 +367,7 @@ public class ContourTest {
         LiveEvents live = new LiveEvents();
         for (int k = 0; k < 10; k++) {
             contour.fade(k * 10_000, LIFETIME_US);
-            contour.add(30, 20, k * 10_000, 1);
+            contour.add(30, 20, k * 10_000, 1, 0, 1);
             live.add(30, 20, k * 10_000, 1, Claim.OWN, 0);
         }
         assertEquals(4, contour.threshold());
@@ -384,15 +384,15 @@ public class ContourTest {
     @Test
     public void cellsOnTheContourAreShownWhereTheyAreByThen() {
         start(100, 0);
-        contour.add(30, 20, 0, 1);
-        contour.add(31, 20, 0, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
+        contour.add(31, 20, 0, 1, 0, 1);
         // on a cell with too little around it, and beyond the border by then
-        contour.add(60, 60, 0, 1);
-        contour.add(125, 80, 0, 1);
+        contour.add(60, 60, 0, 1, 0, 1);
+        contour.add(125, 80, 0, 1, 0, 1);
         contour.fade(10_000, LIFETIME_US);
-        contour.add(31, 20, 10_000, 1);
-        contour.add(32, 20, 10_000, 1);
-        contour.add(126, 80, 10_000, 1);
+        contour.add(31, 20, 10_000, 1, 0, 1);
+        contour.add(32, 20, 10_000, 1, 0, 1);
+        contour.add(126, 80, 10_000, 1, 0, 1);
         List<String> shown = new ArrayList<>();
         contour.show(50_000, (x, y) -> shown.add(x + "," + y));
         assertEquals(List.of("35,20", "36,20"), shown);
@@ -404,7 +404,7 @@ public class ContourTest {
         addBlock(30, 20, 3);
         contour.wipe();
         assertTrue(contour.isEmpty());
-        contour.add(30, 20, 0, 1);
+        contour.add(30, 20, 0, 1, 0, 1);
         assertEquals(2, contour.support(31, 21, 0, 1));
     }
 }

@@ -44,6 +44,11 @@ public class TrackPlaneTest {
         plane.recentre(fit, nowUs);
     }
 
+    private void take(int x, int y, long timeUs, int polarity, Claim claim) {
+        plane.support(x, y, timeUs, polarity);
+        plane.take(x, y, timeUs, polarity, claim, fit);
+    }
+
     /** Goes on, and looks after it each 5 ms. */
     private State goOn(int columns) {
         return goOn(columns, Claim.OWN);
@@ -53,7 +58,7 @@ public class TrackPlaneTest {
         State state = null;
         for (int c = 0; c < columns; c++) {
             for (int y = 0; y < ROWS; y++) {
-                plane.take(column, 30 + y, nowUs, 1, claim, fit);
+                take(column, 30 + y, nowUs, 1, claim);
             }
             column++;
             nowUs += COLUMN_US / 2;
@@ -158,7 +163,7 @@ public class TrackPlaneTest {
         State state = goOn(10);
         for (int i = 0; i < 30 && state != State.ENDED; i++) {
             for (int k = 0; k < ROWS; k++) {
-                plane.take(25 + random.nextInt(20), 30 + random.nextInt(ROWS), nowUs + k * 300, 1, Claim.OWN, fit);
+                take(25 + random.nextInt(20), 30 + random.nextInt(ROWS), nowUs + k * 300, 1, Claim.OWN);
             }
             nowUs += COLUMN_US;
             state = plane.update(nowUs);
@@ -183,7 +188,7 @@ public class TrackPlaneTest {
         State state = null;
         for (int c = 0; c < columns; c++) {
             for (int y = 0; y < rows; y++) {
-                plane.take(column, 30 + y, nowUs, 1, Claim.OWN, fit);
+                take(column, 30 + y, nowUs, 1, Claim.OWN);
             }
             column++;
             nowUs += COLUMN_US;
@@ -221,7 +226,7 @@ public class TrackPlaneTest {
         start(20);
         goOn(10);
         plane.recentre(fit, nowUs);
-        plane.take(column, 45, nowUs, 1, Claim.OWN, fit);
+        take(column, 45, nowUs, 1, Claim.OWN);
         long votes = fit.votes();
         plane.measureIfLate(fit, nowUs + 20_000);
         assertEquals(votes, fit.votes());
@@ -257,11 +262,11 @@ public class TrackPlaneTest {
         goOn(5);
         // beside its end: taken as a remembered one, it may be noise
         for (int i = 0; i < 16; i++) {
-            plane.take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.REMEMBERED, fit);
+            take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.REMEMBERED);
         }
         assertEquals(0, plane.remembered(column, 71, nowUs));
         for (int i = 0; i < 16; i++) {
-            plane.take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.OWN, fit);
+            take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.OWN);
         }
         assertTrue(plane.remembered(column, 71, nowUs) > 0);
     }
