@@ -22,6 +22,8 @@ final class BilinearAccumulator {
     private static final int HALF = 1 << PART_BITS - 1;
     /** Most parts that a shift of 1 may be: 64 cells for the event that is shifted most, far off the grid. */
     private static final double MOST_PARTS = (1 << 31 - ShiftProfile.BITS) - 1;
+    /** Most places that a structure tensor is added up from, in whole rows: as many as a sample has events. */
+    private static final int MOST_PLACES = 4096;
 
     /** Positions a pixel. */
     private final float scale;
@@ -39,6 +41,8 @@ final class BilinearAccumulator {
     private final int width;
     private final int height;
     private final int[] f;
+    /** For votes of every other event. */
+    private final int[] others;
     // box of the events
     private int lowX;
     private int lowY;
@@ -68,6 +72,7 @@ final class BilinearAccumulator {
         width = side(sensorWidth, cellPx);
         height = side(sensorHeight, cellPx);
         f = new int[width * height];
+        others = new int[width * height];
     }
 
     private static int side(int sensorSide, double cellPx) {
@@ -104,6 +109,16 @@ final class BilinearAccumulator {
         placeX[i] = (int) (x * scale + 32768.5f) - 32768;
         placeY[i] = (int) (y * scale + 32768.5f) - 32768;
         vote[i] = (byte) polarity;
+    }
+
+    /** Column of an event in px, to a part of a cell. */
+    double x(int i) {
+        return placeX[i] / scale;
+    }
+
+    /** The same, the row. */
+    double y(int i) {
+        return placeY[i] / scale;
     }
 
     /** Finds the box of the events, which the grid is laid around. */
@@ -207,5 +222,61 @@ final class BilinearAccumulator {
             grid[c + w + 1] = e + w11;
         }
         return sum;
+    }
+
+    /**
+     * Adds up how the picture of the events where they are changes with place: every other event makes one picture, the
+     * rest another.
+     *
+     * @param centreX centre of turning and growth in px, and centreY
+     * @param radius of the structure in px
+     */
+    void structure(StructureTensor tensor, double centreX, double centreY, double radius) {
+        layWith(2, 2);
+        int w = columns;
+        Arrays.fill(f, 0, w * rows, 0);
+        Arrays.fill(others, 0, w * rows, 0);
+        for (int i = 0; i < size; i++) {
+            draw((i & 1) == 0 ? f : others, placeX[i] - originX, placeY[i] - originY, vote[i]);
+        }
+        votes += size;
+        double perCell = SUB / (scale * radius);
+        double x0 = (originX / scale - centreX) / radius;
+        double y0 = (originY / scale - centreY) / radius;
+        int every = 1 + w * rows / MOST_PLACES;
+        tensor.begin();
+        for (int row = 1; row < rows - 1; row += every) {
+            for (int column = 1; column < w - 1; column++) {
+                int c = row * w + column;
+                int gx = slope(f, c, 1, w);
+                int gy = slope(f, c, w, 1);
+                int hx = slope(others, c, 1, w);
+                int hy = slope(others, c, w, 1);
+                if ((gx | gy) != 0 && (hx | hy) != 0) {
+                    tensor.add(gx, gy, hx, hy, x0 + column * perCell, y0 + row * perCell);
+                }
+            }
+        }
+        tensor.end();
+    }
+
+    private void draw(int[] grid, int px, int py, int sign) {
+        if ((px | py) < 0 || px >= (columns - 1) * SUB || py >= (rows - 1) * SUB) {
+            return;
+        }
+        int c = (py >> SUB_BITS) * columns + (px >> SUB_BITS);
+        int fx = px & SUB - 1;
+        int below = (py & SUB - 1) * sign;
+        int above = SUB * sign - below;
+        grid[c] += (SUB - fx) * above;
+        grid[c + 1] += fx * above;
+        grid[c + columns] += (SUB - fx) * below;
+        grid[c + columns + 1] += fx * below;
+    }
+
+    /** Slope along one axis by Sobel, a mean over three cells across it. */
+    private static int slope(int[] grid, int c, int along, int across) {
+        return 2 * (grid[c + along] - grid[c - along]) + grid[c + along + across] - grid[c - along + across]
+            + grid[c + along - across] - grid[c - along - across];
     }
 }

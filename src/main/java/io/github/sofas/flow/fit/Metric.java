@@ -41,7 +41,7 @@ final class Metric {
 
     /** Bytes of the arrays for up to a number of events. */
     static long bytes(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
-        return Integer.BYTES * BilinearAccumulator.cells(sensorWidth, sensorHeight, cellPx)
+        return 2L * Integer.BYTES * BilinearAccumulator.cells(sensorWidth, sensorHeight, cellPx)
             + (long) capacity * EVENT_BYTES;
     }
 
@@ -75,6 +75,11 @@ final class Metric {
         time.take(tau, grid.size());
         squared = false;
         tiled = false;
+    }
+
+    /** Adds up how the picture of the events changes; the structure has so many px of radius. */
+    void structure(StructureTensor tensor, double radius) {
+        grid.structure(tensor, grid.x(0) - fromX[0], grid.y(0) - fromY[0], radius);
     }
 
     /** Of the events moved back by velocity (vx, vy) in px/s. */

@@ -165,6 +165,11 @@ public final class MetricFit {
         return changeThrough(h);
     }
 
+    /** Adds up how the picture of the events changes; the structure has so many px of radius. */
+    void structure(StructureTensor tensor, double radius) {
+        metric.structure(tensor, radius);
+    }
+
     private Parabola changeThrough(double h) {
         double less = lessAndMore[0];
         double more = lessAndMore[1];

@@ -21,6 +21,10 @@ public final class MotionChange {
     private static final double HALF_SURE_SIGMAS = 0.14;
     /** Shift at the end of the window by rotation or growth below which neither shows in parts of it, in px. */
     private static final double LEAST_SHOWN_PX = 0.03;
+    /** Metric that a turning or growth gains, in standard deviations, at which half of it is believed. */
+    private static final double GAIN_SIGMAS = 0.5;
+    /** Measurements to one that looks again how alike the parameters of the motion are. */
+    private static final int STRUCTURE_EVERY = 2;
     /** Distance of the projections that measure a change, at the end of the window. */
     private static final double CHANGE_PX = 1.5;
     /** Share of a newly measured change that is taken over: successive windows share most events. */
@@ -42,6 +46,8 @@ public final class MotionChange {
     private double growth;
     /** The acceleration across as far as it is known. */
     private double shownAcross;
+    private final StructureTensor structure = new StructureTensor();
+    private int measurements;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
     private double evidence;
     /** Radius of the structure when it was measured last, in px. */
@@ -57,6 +63,8 @@ public final class MotionChange {
         shownAcross = 0;
         evidence = 0;
         radius = 0;
+        measurements = 0;
+        structure.restart();
     }
 
     /**
@@ -86,7 +94,9 @@ public final class MotionChange {
 
     private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,
                                       SofasParameters.Track p) {
-        double most = loss.best() * radius * radius;
+        if (measurements++ % STRUCTURE_EVERY == 0) {
+            fit.structure(structure, radius);
+        }
         double perPx = 1 / (half * radius); // shifts both ends by one pixel at the radius
         double turned = motion.omega;
         double grown = motion.growth;
@@ -96,14 +106,15 @@ public final class MotionChange {
         if (p.rotation()) {
             Parabola fitted = fit.fitRotation(perPx * CHANGE_PX);
             omega = taken(omega, turned + fitted.step(), perPx);
-            turns = shown(shareOf(fitted.loss(), most));
+            turns = gained(fitted.loss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
             newOmega = believed(omega, perPx, BEND_PX) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
             Parabola fitted = fit.fitGrowth(perPx * CHANGE_PX);
             growth = taken(growth, grown + fitted.step(), perPx);
-            newGrowth = believed(growth, perPx, BEND_PX) * shown(shareOf(fitted.loss(), most));
+            newGrowth = believed(growth, perPx, BEND_PX)
+                * gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
             loss.grow = fitted.loss();
         }
         boolean mayShow = Math.max(Math.abs(newOmega), Math.abs(newGrowth)) > LEAST_SHOWN_PX * perPx;
@@ -184,6 +195,11 @@ public final class MotionChange {
     private static double shown(double share) {
         double ratio = FLAT_CHANGE / share;
         return share > 0 ? 1 / (1 + ratio * ratio) : 0;
+    }
+
+    /** How far a change is real, 0 to 1, that gains so much of the metric. */
+    private static double gained(double gain, double metric) {
+        return shareOf(gain * gain, gain * gain + GAIN_SIGMAS * GAIN_SIGMAS * Math.max(1, metric));
     }
 
     /** A change that shifts the ends of the window by no more than the noise is none. */

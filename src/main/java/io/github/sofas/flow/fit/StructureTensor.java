@@ -1,0 +1,114 @@
+package io.github.sofas.flow.fit;
+
+import java.util.Arrays;
+
+/**
+ * How the picture of a structure's events changes when it moves right, moves down, turns and grows, and how far these
+ * changes are alike: the structure tensor of all four. Ours, because each parameter of the motion is measured by
+ * itself, and an arc that slides along itself looks as if it turned about its middle: without the tensor, a disc found
+ * in two arcs stayed two that turn. Only what shows of a parameter beyond the others is known of it.
+ *
+ * <p>A mean over the measurements of late, because one sample of events is a rough picture.
+ */
+final class StructureTensor {
+    /** Number of the turning among the four parameters, and of the growth. */
+    static final int TURN = 2;
+    static final int GROW = 3;
+    private static final int N = 4;
+    /** Share of the changes that may be noise, so that parameters of which nothing shows take nothing away. */
+    private static final double NOISE = 0.005;
+    /** Part of a new picture that is taken over. */
+    private static final double GAIN = 0.3;
+
+    private final double[][] sum = new double[N][N];
+    private final double[][] mean = new double[N][N];
+    private boolean known;
+    // by how much each parameter changes a place of the one picture, and of the other
+    private final double[] one = new double[N];
+    private final double[] other = new double[N];
+    private final double[][] left = new double[N][N];
+
+    /** Forgets all pictures. */
+    void restart() {
+        known = false;
+    }
+
+    /** Begins with a new picture. */
+    void begin() {
+        for (double[] row : sum) {
+            Arrays.fill(row, 0);
+        }
+    }
+
+    /**
+     * Adds a place of the picture, seen twice by events of their own, so that the noise of either has no part.
+     *
+     * @param gx slope of the one picture to the right, and gy downwards
+     * @param hx slope of the other picture to the right, and hy downwards
+     * @param x column from the centre of turning and growth, in radii of the structure, and y the row
+     */
+    void add(double gx, double gy, double hx, double hy, double x, double y) {
+        load(one, gx, gy, x, y);
+        load(other, hx, hy, x, y);
+        for (int i = 0; i < N; i++) {
+            for (int j = 0; j < N; j++) {
+                sum[i][j] += one[i] * other[j];
+            }
+        }
+    }
+
+    private static void load(double[] change, double slopeX, double slopeY, double x, double y) {
+        change[0] = slopeX;
+        change[1] = slopeY;
+        change[TURN] = slopeY * x - slopeX * y;
+        change[GROW] = slopeX * x + slopeY * y;
+    }
+
+    /** Takes the picture into the mean, unless there is nothing but noise. */
+    void end() {
+        double all = 0;
+        for (int i = 0; i < N; i++) {
+            all += sum[i][i];
+        }
+        if (!(all > 0)) {
+            return;
+        }
+        double gain = known ? GAIN : 1;
+        known = true;
+        for (int i = 0; i < N; i++) {
+            for (int j = 0; j < N; j++) {
+                mean[i][j] += gain * ((sum[i][j] + sum[j][i]) / 2 / all - mean[i][j]);
+            }
+        }
+    }
+
+    /** What shows of a parameter that none of the others can explain, as a share of what shows of it: 0 to 1. */
+    double own(int parameter) {
+        if (!known) {
+            return 0;
+        }
+        for (int i = 0; i < N; i++) {
+            System.arraycopy(mean[i], 0, left[i], 0, N);
+            left[i][i] = Math.max(0, left[i][i]) + NOISE;
+        }
+        double shows = left[parameter][parameter];
+        for (int i = 0; i < N; i++) {
+            if (i != parameter && left[i][i] > 0) {
+                explain(i);
+            }
+        }
+        return Math.max(0, Math.min(1, (left[parameter][parameter] - NOISE) / shows));
+    }
+
+    /** Takes away from all others what a parameter explains of them: a step of Gauss's elimination. */
+    private void explain(int by) {
+        for (int i = 0; i < N; i++) {
+            if (i != by) {
+                double factor = left[i][by] / left[by][by];
+                for (int j = 0; j < N; j++) {
+                    left[i][j] -= factor * left[by][j];
+                }
+            }
+        }
+    }
+}
