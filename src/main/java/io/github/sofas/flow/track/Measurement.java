@@ -40,7 +40,7 @@ final class Measurement {
     /** Metric per event below which a sample is enlarged: thinning events thins their meetings by the square. */
     private static final double SAMPLE_DENSITY = 1.5;
     /** Correction over half the window below which a velocity is steady. */
-    private static final double STEADY_PX = 0.15;
+    private static final double STEADY_PX = 0.1;
     /** Shift at the end of the window by an acceleration above which the lifetime shrinks: it soon ends. */
     private static final double MAX_BEND_PX = 0.25;
     /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
