@@ -110,6 +110,19 @@ public final class SmoothedSofas implements Labelling {
         sofas = new Sofas(sensor, parameters, this::end, smoother::add);
     }
 
+    /**
+     * {@return the upper bound of the memory that is held, in bytes, whatever the events and the look-ahead} It is that
+     * of the engine and, where events are taken as soon as they can be, at most 64 MB more on a sensor of 346 x 260 px:
+     * 37 bytes for each of 2^20 events, and 28 for each pixel, 4 more for each of 655,360 events and what is measured
+     * of them.
+     *
+     * @param sensor size of the pixel array
+     * @param parameters of the {@code default} preset
+     */
+    public static long mostBytes(SensorSize sensor, SofasParameters parameters) {
+        return Sofas.mostBytes(sensor, parameters) + Smoother.mostBytes(sensor);
+    }
+
     @Override
     public void add(EventBatch batch) {
         for (int i = 0; i < batch.size(); i++) {
@@ -166,9 +179,14 @@ public final class SmoothedSofas implements Labelling {
     }
 
     private void tellOfEnded() {
-        ending.keySet().stream().filter(this::wasJoined).toList().forEach(label -> ending.merge(smoother.label(label),
-            ending.remove(label), SmoothedSofas::later));
-        if (ending.keySet().stream().noneMatch(smoother::isOver)) {
+        boolean isAnyOver = false;
+        for (int label : List.copyOf(ending.keySet())) {
+            if (wasJoined(label)) {
+                ending.merge(smoother.label(label), ending.remove(label), SmoothedSofas::later);
+            }
+            isAnyOver |= smoother.isOver(smoother.label(label)) || smoother.isOver(label);
+        }
+        if (!isAnyOver) {
             return;
         }
         Set<Integer> living = new HashSet<>();

@@ -1,9 +1,12 @@
 package io.github.sofas.flow;
 
+import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.smooth.Smoother;
 import java.lang.reflect.Array;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
@@ -12,6 +15,7 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import org.junit.Test;
@@ -41,6 +45,8 @@ public class MemoryBoundTest {
                 }
             } else if (object instanceof List<?> list) {
                 list.forEach(element -> push(open, element));
+            } else if (object instanceof Map<?, ?> map) {
+                map.values().forEach(element -> push(open, element));
             } else if (type.getName().startsWith("io.github.sofas.")) {
                 for (Field field : type.getDeclaredFields()) {
                     bytes += 8;
@@ -103,6 +109,42 @@ public class MemoryBoundTest {
         assertTrue("holds " + held + " of " + most, held <= most);
         // the flow plane's ring of 2^20 events is full, and did not grow beyond
         assertTrue("holds " + held, held >= (1 << 20) * 17L);
+    }
+
+    @Test
+    public void lookAheadHoldsAtMostSixtyFourMegabytesMore() throws Exception {
+        SensorSize sensor = new SensorSize(346, 260);
+        long most = Smoother.mostBytes(sensor);
+        assertTrue(most + " bytes", most <= 64L << 20);
+        SofasParameters p = SofasParameters.defaults();
+        assertEquals(Sofas.mostBytes(sensor, p) + most, SmoothedSofas.mostBytes(sensor, p));
+        // 20 events in a us, in slices of 2^16 that are given back one by one
+        Smoother smoother = new Smoother(sensor, p.track(), SmoothedSofas.MAX_LOOK_AHEAD_US);
+        EventBatch event = new EventBatch(1);
+        FlowOutput flow = new FlowOutput(4096);
+        EventBatch taken = new EventBatch(4096);
+        Motion motion = new Motion();
+        Random random = new Random(1);
+        for (int i = 0; i < 1_000_000; i++) {
+            event.clear();
+            event.add(i / 20, random.nextInt(346), random.nextInt(260), random.nextInt(2));
+            flow.segment[0] = i % 64;
+            if (i % 25 == 0) {
+                motion.set(i / 20, random.nextInt(100), 0);
+                smoother.add(1 + i / 25 % 63, motion);
+            }
+            if (!smoother.isOfSlice(i / 20, 0)) {
+                smoother.endSlices(i / 20);
+                while (smoother.take(taken, flow)) {
+                    assertTrue(taken.size() > 0);
+                }
+                flow.segment[0] = i % 64;
+            }
+            smoother.add(event, flow, 0);
+        }
+        long held = measured(smoother);
+        assertTrue("holds " + held + " of " + most, held <= most);
+        assertTrue("holds " + held, held > (1 << 20) * 37L);
     }
 
     @Test

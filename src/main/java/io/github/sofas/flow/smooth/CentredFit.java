@@ -40,6 +40,11 @@ final class CentredFit {
         step = new CentredStep(p);
     }
 
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
+        return MetricFit.bytes(sensor.width(), sensor.height(), MetricFit.CELL_PX, 2 * WANTED);
+    }
+
     /**
      * Measures the motion of a path at a time.
      *

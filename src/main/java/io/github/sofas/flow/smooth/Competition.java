@@ -18,6 +18,8 @@ final class Competition {
     /** Travel that is looked at on either side of an event, in px, and parts that it is looked at in. */
     static final double TRACE_PX = 8;
     static final int SIDE_PARTS = 8;
+    /** Parts of the travel that are decided at once, along one motion. */
+    private static final double BLOCK_PARTS = 4;
     /** Claim that an event needs to belong to a segment. */
     private static final double LEAST = 4;
     /** The same of one that the engine gave to a segment. */
@@ -63,6 +65,11 @@ final class Competition {
         map = new TraceMap(sensor);
     }
 
+    /** The most bytes that its arrays take, with that many events of a slice. */
+    static long mostBytes(SensorSize sensor, int mostEvents) {
+        return TraceMap.bytes(sensor) + 2L * mostEvents * (Double.BYTES + Integer.BYTES);
+    }
+
     /**
      * Labels the open events of a slice anew.
      *
@@ -80,9 +87,15 @@ final class Competition {
             claim(path, slices, index, sideUs);
         }
         int n = (int) (slice.until - slice.from);
+        int last = OPEN;
+        int label = 0;
         for (int i = 0; i < n; i++) {
             if (winner[i] != DECIDED) {
-                window.segment[window.at(slice.from + i)] = winner[i];
+                if (winner[i] != last) {
+                    last = winner[i];
+                    label = last == OPEN ? 0 : labels.ofPath(last);
+                }
+                window.give(window.at(slice.from + i), last, label);
             }
         }
     }
@@ -118,7 +131,7 @@ final class Competition {
         long sideUs = (long) Math.min(TRACE_PX / Math.max(speed, 1e-3) * 1e6, mostSideUs);
         boolean shows = speed * sideUs * 1e-6 >= LEAST_TRAVEL_PX;
         long partUs = Math.max(1, sideUs / SIDE_PARTS);
-        int blocks = (int) Math.ceil((slice.untilUs - slice.fromUs) / (2.0 * partUs));
+        int blocks = (int) Math.ceil((slice.untilUs - slice.fromUs) / (BLOCK_PARTS * partUs));
         long blockUs = (slice.untilUs - slice.fromUs + blocks - 1) / blocks;
         for (long a = slice.fromUs; a < slice.untilUs; a += blockUs) {
             claimBlock(path, slices, index, a, Math.min(slice.untilUs, a + blockUs), sideUs, partUs, shows);
@@ -250,8 +263,6 @@ final class Competition {
 
     private void addTile(SegmentPath path, Slice slice, int tile, long untilUs) {
         int label = labels.ofPath(path.id());
-        int other = 0;
-        boolean isPiece = false;
         int end = slice.start(tile + 1);
         for (int j = firstFrom(slice, tile, fromUs); j < end; j++) {
             int k = window.at(slice.event(j));
@@ -264,11 +275,7 @@ final class Competition {
             double y = cos[step] * window.y[k] - sin[step] * window.x[k] + shiftY[step];
             if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
                 int id = window.segment[k];
-                if (id != other) {
-                    other = id;
-                    isPiece = labels.ofPath(id) == label;
-                }
-                int whose = id == 0 ? TraceMap.NOBODYS : isPiece ? TraceMap.OWN : TraceMap.OTHERS;
+                int whose = id == 0 ? TraceMap.NOBODYS : window.label[k] == label ? TraceMap.OWN : TraceMap.OTHERS;
                 map.add(x, y, window.polarity[k], Math.min(TraceMap.PARTS - 1, step / STEPS), whose);
             }
         }

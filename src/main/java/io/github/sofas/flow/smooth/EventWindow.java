@@ -18,13 +18,19 @@ final class EventWindow {
     byte[] polarity = new byte[FIRST_CAPACITY];
     /** Id of the path of its segment; 0 where it has none. */
     int[] segment = new int[FIRST_CAPACITY];
-    /** The label that it gets for good; 0 for none. */
+    /** The label of that path; 0 for none. */
     int[] label = new int[FIRST_CAPACITY];
     float[] vxPxPerS = new float[FIRST_CAPACITY];
     float[] vyPxPerS = new float[FIRST_CAPACITY];
 
     private long first;
     private long end;
+
+    /** The most bytes that its arrays take, with that many events at most. */
+    static long mostBytes(int mostEvents) {
+        long capacity = Integer.highestOneBit(Math.max(FIRST_CAPACITY, mostEvents) - 1) * 2L;
+        return capacity * (2 * Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES + 2 * Float.BYTES);
+    }
 
     /** Entry of event i in the arrays. */
     int at(long i) {
@@ -55,6 +61,12 @@ final class EventWindow {
         return k;
     }
 
+    /** Gives an entry to a path, whose label is another or the same. */
+    void give(int k, int path, int pathLabel) {
+        segment[k] = path;
+        label[k] = pathLabel;
+    }
+
     private void grow() {
         int n = timeUs.length;
         int head = (int) first & n - 1;
@@ -80,12 +92,12 @@ final class EventWindow {
         return (int) i & length - 1;
     }
 
-    /** Gives the events of a segment, from a number on to before another, to one that proved to be the same. */
-    void join(long fromEvent, long untilEvent, int from, int to) {
-        for (long i = fromEvent; i < untilEvent; i++) {
+    /** Writes another id where there is one, in the segments or labels of the events from a number on. */
+    void replace(int[] ids, long fromEvent, int id, int by) {
+        for (long i = Math.max(first, fromEvent); i < end; i++) {
             int k = at(i);
-            if (segment[k] == from) {
-                segment[k] = to;
+            if (ids[k] == id) {
+                ids[k] = by;
             }
         }
     }

@@ -22,6 +22,9 @@ final class Labels {
     }
 
     private static void join(Map<Integer, Integer> map, int from, int to) {
+        if (from == to) {
+            return;
+        }
         map.replaceAll((id, other) -> other == from ? to : other);
         map.put(from, to);
     }
@@ -41,13 +44,9 @@ final class Labels {
         join(labels, from, to);
     }
 
-    /** Gives all that have a path another one, and its label. */
+    /** Gives all that have a path another one; their label stays. */
     void joinPaths(int from, int to) {
-        int label = ofPath(from);
         join(paths, from, to);
-        if (label != ofPath(to)) {
-            join(labels, label, ofPath(to));
-        }
     }
 
     /** Notes that events got a label for good. */

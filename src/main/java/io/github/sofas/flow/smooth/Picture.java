@@ -1,21 +1,21 @@
 package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
-import java.util.Arrays;
 
 /** Where the events of a contour lie when they are moved to one time, to be laid on that of another. */
 final class Picture {
     /** Farthest that another one is moved from where the middles of both meet, to the right and down, in px. */
     static final int SEARCHED_PX = 6;
     private static final int BORDER = SEARCHED_PX + 2;
-    private static final int FIRST_CAPACITY = 1024;
+    /** Most events; more show nothing new. */
+    private static final int MOST_EVENTS = 1 << 15;
 
     private final int width;
     private final int height;
     /** Whether an event lies on a pixel or beside it. */
     private final boolean[] near;
-    private short[] columns = new short[FIRST_CAPACITY];
-    private short[] rows = new short[FIRST_CAPACITY];
+    private short[] columns = new short[MOST_EVENTS];
+    private short[] rows = new short[MOST_EVENTS];
     private int events;
     private double sumX;
     private double sumY;
@@ -29,10 +29,10 @@ final class Picture {
         near = new boolean[width * height];
     }
 
-    /** The most bytes that it takes, with that many events. */
-    static long bytes(SensorSize sensor, int mostEvents) {
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
         return (long) (sensor.width() + 2 * BORDER) * (sensor.height() + 2 * BORDER)
-            + 2L * Short.BYTES * 2 * mostEvents;
+            + 2L * Short.BYTES * MOST_EVENTS;
     }
 
     /** Forgets all events. */
@@ -56,16 +56,13 @@ final class Picture {
         }
     }
 
-    /** Adds an event that was moved to a place; what has left the sensor by more than a few px is left out. */
+    /** Adds an event that was moved to a place; what has left the sensor by more than a few px is left out, and
+     * what comes after the first {@value #MOST_EVENTS}. */
     void add(double x, double y) {
         int column = (int) Math.floor(x) + BORDER;
         int row = (int) Math.floor(y) + BORDER;
-        if (column < 1 || column >= width - 1 || row < 1 || row >= height - 1) {
+        if (column < 1 || column >= width - 1 || row < 1 || row >= height - 1 || events == MOST_EVENTS) {
             return;
-        }
-        if (events == columns.length) {
-            columns = Arrays.copyOf(columns, 2 * events);
-            rows = Arrays.copyOf(rows, 2 * events);
         }
         columns[events] = (short) column;
         rows[events++] = (short) row;

@@ -55,7 +55,7 @@ final class Slice {
     private final Map<Integer, Box> boxes = new HashMap<>();
     private boolean isStale;
 
-    Slice(EventWindow window, SensorSize sensor, Labels labels, long from, long fromUs, long untilUs) {
+    Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs) {
         this.fromUs = fromUs;
         this.untilUs = untilUs;
         this.from = from;
@@ -66,7 +66,14 @@ final class Slice {
         open = new boolean[columns * rows];
         nearOpen = new boolean[columns * rows];
         order = sort(window, sensor);
-        findOpen(window, labels);
+        findOpen(window);
+    }
+
+    /** The most bytes that its arrays take, with that many events at most. */
+    static long mostBytes(SensorSize sensor, int mostEvents) {
+        long tiles = (sensor.width() - 1L >> TILE_BITS) + 1;
+        tiles *= (sensor.height() - 1L >> TILE_BITS) + 1;
+        return Integer.BYTES * (mostEvents + tiles) + 2 * tiles;
     }
 
     private int[] sort(EventWindow window, SensorSize sensor) {
@@ -94,13 +101,11 @@ final class Slice {
     }
 
     /** Gives the events of a segment to another, which proved to be the same. */
-    void join(EventWindow window, int from, int to) {
-        Box joined = boxes.remove(from);
+    void join(int segment, int to) {
+        Box joined = boxes.remove(segment);
         if (joined != null) {
             boxes.computeIfAbsent(to, id -> new Box()).add(joined);
-            isStale = true;
         }
-        window.join(this.from, until, from, to);
     }
 
     /** Notes that segments got one label, which may close tiles. */
@@ -109,30 +114,24 @@ final class Slice {
     }
 
     /** Finds anew what is open after segments were joined. */
-    void refresh(EventWindow window, Labels labels) {
+    void refresh(EventWindow window) {
         if (isStale) {
             isStale = false;
             Arrays.fill(open, false);
             Arrays.fill(nearOpen, false);
-            findOpen(window, labels);
+            findOpen(window);
         }
     }
 
-    private void findOpen(EventWindow window, Labels labels) {
+    private void findOpen(EventWindow window) {
         int[] labelled = new int[columns * rows];
         boolean[] shared = new boolean[columns * rows];
         for (int t = 0; t < labelled.length; t++) {
             int first = 0;
             int others = 0;
-            int path = 0;
-            int label = 0;
             for (int k = start[t]; k < start[t + 1]; k++) {
-                int id = window.segment[window.at(from + order[k])];
-                if (id != 0) {
-                    if (id != path) {
-                        path = id;
-                        label = labels.ofPath(id);
-                    }
+                int label = window.label[window.at(from + order[k])];
+                if (label != 0) {
                     labelled[t]++;
                     first = first == 0 ? label : first;
                     others += label == first ? 0 : 1;

@@ -27,6 +27,8 @@ public final class Smoother {
     private static final int FIRST_LOOK = 2;
     /** Slices that are kept: as many before the one that is labelled for good as after it. */
     private static final int KEPT = 2 * AHEAD + 1;
+    /** A measured motion takes about a hundred bytes; there is one for 25 events or more. */
+    private static final int BYTES_PER_EVENT = 4;
     /** Time over which a motion is taken as steady, in parts of a slice. */
     private static final int BLOCKS = 32;
 
@@ -60,6 +62,17 @@ public final class Smoother {
         competition = new Competition(sensor, window, labels);
         fit = new CentredFit(sensor, window, p);
         knownAgain = new KnownAgain(sensor, window);
+    }
+
+    /**
+     * The most bytes that it holds where events are taken as soon as they can be: those of its arrays, and
+     * {@value #BYTES_PER_EVENT} for each event for measured motions and what is known of segments.
+     */
+    public static long mostBytes(SensorSize sensor) {
+        int mostEvents = (KEPT + 1) * MOST_EVENTS;
+        return EventWindow.mostBytes(mostEvents) + (KEPT + 1) * Slice.mostBytes(sensor, MOST_EVENTS)
+            + Competition.mostBytes(sensor, MOST_EVENTS) + CentredFit.bytes(sensor) + 2 * Picture.bytes(sensor)
+            + (long) BYTES_PER_EVENT * mostEvents;
     }
 
     /**
@@ -111,9 +124,14 @@ public final class Smoother {
             return true;
         }
         boolean goesOn = labels.isGiven(from) && !labels.isGiven(to);
-        labels.join(goesOn ? to : from, goesOn ? from : to);
-        slices.forEach(Slice::outdate);
+        joinLabels(goesOn ? to : from, goesOn ? from : to);
         return labels.isGiven(from) && !goesOn;
+    }
+
+    private void joinLabels(int from, int to) {
+        labels.join(from, to);
+        window.replace(window.label, labelled, from, to);
+        slices.forEach(Slice::outdate);
     }
 
     private SegmentPath path(int segment) {
@@ -128,7 +146,7 @@ public final class Smoother {
             path(id).see(newestUs);
         }
         int k = window.add(newestUs, batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
-        window.segment[k] = id;
+        window.give(k, id, labels.ofPath(id));
         window.vxPxPerS[k] = causal.vxPxPerS[i];
         window.vyPxPerS[k] = causal.vyPxPerS[i];
     }
@@ -149,7 +167,7 @@ public final class Smoother {
     }
 
     private void endSlice(long untilUs) {
-        slices.add(new Slice(window, sensor, labels, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
+        slices.add(new Slice(window, sensor, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
         sliceFrom = window.end();
         sliceFromUs = untilUs;
         knowAgain();
@@ -179,10 +197,12 @@ public final class Smoother {
                 SegmentPath lost = knownAgain.find(begun, paths.values(), slices);
                 if (lost != null) {
                     lost.takeOver(begun);
+                    int label = labels.ofPath(begun.id());
                     labels.joinPaths(begun.id(), lost.id());
+                    joinLabels(label, labels.ofPath(lost.id()));
                     paths.remove(begun.id());
-                    slices.forEach(slice -> slice.join(window, begun.id(), lost.id()));
-                    window.join(sliceFrom, window.end(), begun.id(), lost.id());
+                    slices.forEach(slice -> slice.join(begun.id(), lost.id()));
+                    window.replace(window.segment, 0, begun.id(), lost.id());
                 }
             }
         }
@@ -208,7 +228,7 @@ public final class Smoother {
             return;
         }
         Slice slice = slices.get(index);
-        slice.refresh(window, labels);
+        slice.refresh(window);
         List<SegmentPath> near = new ArrayList<>();
         for (SegmentPath path : paths.values()) {
             if (path.isMeasured() && path.newestUs() >= slice.fromUs - back * sliceUs
@@ -222,18 +242,14 @@ public final class Smoother {
     private void settle(Slice slice) {
         long blockUs = Math.max(1, sliceUs / BLOCKS);
         SegmentPath path = null;
-        int label = 0;
         for (long i = slice.from; i < slice.until; i++) {
             int k = window.at(i);
             int id = window.segment[k];
-            window.label[k] = 0;
             if (id != 0) {
                 if (path == null || path.id() != id) {
                     path = paths.get(id);
-                    label = labels.ofPath(id);
-                    labels.give(label);
+                    labels.give(window.label[k]);
                 }
-                window.label[k] = label;
                 if (path != null && path.isMeasured()) {
                     Motion motion = path.about(window.timeUs[k], blockUs);
                     window.vxPxPerS[k] = motion.vxAt(window.x[k], window.y[k], window.timeUs[k]);
@@ -253,8 +269,11 @@ public final class Smoother {
 
     /** Whether no event gets a label unless the engine finds more of it, and all that it was given to were taken. */
     public boolean isOver(int label) {
-        return taken == labelled && (finished
-            || paths.keySet().stream().noneMatch(path -> labels.ofPath(path) == label));
+        boolean isOver = taken == labelled;
+        for (int path : paths.keySet()) {
+            isOver &= finished || labels.ofPath(path) != label;
+        }
+        return isOver;
     }
 
     /** Lets a label go that no event gets any more. */

@@ -35,6 +35,11 @@ final class TraceMap {
         top = height;
     }
 
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
+        return 2L * Long.BYTES * (sensor.width() + 2 * BORDER) * (sensor.height() + 2 * BORDER);
+    }
+
     /** Forgets all events. */
     void clear() {
         if (top < bottom) {

@@ -29,6 +29,7 @@ public class LabelsTest {
         labels.join(1, 2);
         labels.join(6, 5);
         labels.joinPaths(5, 1);
+        labels.join(5, 2);
         assertEquals(1, labels.path(5));
         assertEquals(2, labels.ofPath(labels.path(5)));
         assertEquals("its pieces go with it", 2, labels.ofPath(6));

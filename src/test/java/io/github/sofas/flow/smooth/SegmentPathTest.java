@@ -90,9 +90,9 @@ public class SegmentPathTest {
     /** A slice from 0.25 to 0.75 s with two events of a segment, 40 px apart: a radius of about 10 px. */
     private static Slice slice() {
         EventWindow window = new EventWindow();
-        window.segment[window.add(300_000, 0, 20, 10, 1)] = 1;
-        window.segment[window.add(400_000, 0, 60, 10, 1)] = 1;
-        return new Slice(window, new SensorSize(96, 64), new Labels(), 0, 250_000, 750_000);
+        window.give(window.add(300_000, 0, 20, 10, 1), 1, 1);
+        window.give(window.add(400_000, 0, 60, 10, 1), 1, 1);
+        return new Slice(window, new SensorSize(96, 64), 0, 250_000, 750_000);
     }
 
     @Test

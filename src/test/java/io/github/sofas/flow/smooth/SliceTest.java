@@ -20,13 +20,13 @@ public class SliceTest {
 
     private void add(int count, int x, int y, int segment) {
         for (int i = 0; i < count; i++) {
-            window.segment[window.add(nowUs, nowUs, x, y, 1)] = segment;
+            window.give(window.add(nowUs, nowUs, x, y, 1), segment, segment);
             nowUs++;
         }
     }
 
     private Slice slice() {
-        return new Slice(window, SENSOR, new Labels(), 0, 0, nowUs);
+        return new Slice(window, SENSOR, 0, 0, nowUs);
     }
 
     @Test
