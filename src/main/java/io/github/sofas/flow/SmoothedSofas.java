@@ -198,8 +198,9 @@ public final class SmoothedSofas implements Labelling {
                 rest.remove();
                 Segment segment = next.getValue();
                 Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
-                Segment told = own.tell(segment, label, smoother.label(segment.mergedInto()));
-                if (told.fate() == Segment.Fate.MERGED) {
+                boolean isMerged = segment.fate() == Segment.Fate.MERGED;
+                Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
+                if (isMerged) {
                     tallies.computeIfAbsent(told.mergedInto(), id -> new Tally()).add(own);
                 }
                 ended.accept(told);

@@ -13,6 +13,8 @@ import java.util.Set;
 final class Labels {
     private final Map<Integer, Integer> paths = new HashMap<>();
     private final Map<Integer, Integer> labels = new HashMap<>();
+    /** The label that each goes on as that has ended. */
+    private final Map<Integer, Integer> ends = new HashMap<>();
     /** Labels that events got for good. */
     private final Set<Integer> given = new HashSet<>();
 
@@ -42,6 +44,22 @@ final class Labels {
     /** Gives all that have a label another one. */
     void join(int from, int to) {
         join(labels, from, to);
+        ends.replaceAll((label, other) -> other == from ? to : other);
+    }
+
+    /** Ends a label, of which another is told to be what it became. */
+    void end(int label, int into) {
+        ends.put(label, into);
+    }
+
+    /** What a label that has ended became. */
+    int endOf(int label) {
+        return in(ends, label);
+    }
+
+    /** Lets the path of a piece go that no event has any more. */
+    void forgetPiece(int path) {
+        labels.remove(path);
     }
 
     /** Gives all that have a path another one; their label stays. */
@@ -63,6 +81,7 @@ final class Labels {
     void forget(int label) {
         paths.values().removeIf(path -> ofPath(path) == label);
         labels.values().removeIf(each -> each == label);
+        ends.remove(label);
         given.remove(label);
     }
 }

@@ -121,11 +121,21 @@ public final class Smoother {
             return false;
         }
         if (piece.isMeasured() && body.isMeasured() && !piece.movedAsOneWith(body)) {
+            labels.end(from, to);
             return true;
         }
         boolean goesOn = labels.isGiven(from) && !labels.isGiven(to);
         joinLabels(goesOn ? to : from, goesOn ? from : to);
-        return labels.isGiven(from) && !goesOn;
+        boolean ends = labels.isGiven(from) && !goesOn;
+        if (ends) {
+            labels.end(from, to);
+        }
+        return ends;
+    }
+
+    /** The label that a label which ended by {@link #merge} goes on as. */
+    public int endOf(int label) {
+        return labels.endOf(label);
     }
 
     private void joinLabels(int from, int to) {
@@ -185,7 +195,11 @@ public final class Smoother {
             window.forget(Math.min(oldest.until, taken));
             paths.values().removeIf(path -> {
                 path.forget(oldest.untilUs);
-                return path.newestUs() < oldest.untilUs;
+                boolean isGone = path.newestUs() < oldest.untilUs;
+                if (isGone && path.hasEnded()) {
+                    labels.forgetPiece(path.id());
+                }
+                return isGone;
             });
         }
     }

@@ -46,4 +46,15 @@ public class LabelsTest {
         assertEquals(5, labels.path(5));
         assertEquals(1, labels.ofPath(1));
     }
+
+    @Test
+    public void piecesAreForgottenButNotWhatALabelBecame() {
+        labels.end(1, 2);
+        labels.join(1, 2);
+        labels.join(2, 3);
+        labels.forgetPiece(1);
+        labels.forgetPiece(2);
+        assertEquals("1 became 2, which became 3", 3, labels.endOf(1));
+        assertEquals(2, labels.ofPath(2));
+    }
 }
