@@ -78,6 +78,12 @@ public final class MetricFit {
         return metric.atVelocity(0, 0) > metric.atVelocity(vx, vy);
     }
 
+    /** Metric of the events as they were projected; 0 of none. */
+    public double metric() {
+        metric.lay();
+        return metric.size() == 0 ? 0 : metric.atVelocity(0, 0);
+    }
+
     /** Sets an upright frame of projections with equal distances in px/s. */
     public void frame(double h) {
         frame.set(h);

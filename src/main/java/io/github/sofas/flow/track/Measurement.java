@@ -18,6 +18,8 @@ final class Measurement {
     /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
     private static final int LEAST_FULL = 3;
     private static final int FULL_EVERY = 4;
+    /** Measurements after which a motion is judged: before, it is that of the search. */
+    private static final int LEAST_JUDGED = 2;
     /**
      * A sample has at least this part of the live events: measurements are the rarer the more there are, so that it
      * costs no more per event, and what is weakly known, the velocity along edges, needs many.
@@ -60,6 +62,7 @@ final class Measurement {
     private final SteppedProjection stepped = new SteppedProjection();
     private final MotionChange change = new MotionChange();
     private final MotionLoss loss = new MotionLoss();
+    private final Prediction prediction = new Prediction();
     private SofasParameters.Track p;
     private int count;
     /** Metric per event of all live events. */
@@ -78,6 +81,7 @@ final class Measurement {
     void restart() {
         change.restart();
         loss.clear();
+        prediction.restart();
         count = 0;
         density = 0;
         blurredPx = 0;
@@ -104,7 +108,12 @@ final class Measurement {
 
     /** Whether they have not been sharp for so long that there is no structure, or none that moves like this. */
     boolean isBlurred() {
-        return blurredPx > BLURRED_PX;
+        return blurredPx > BLURRED_PX || prediction.isRefuted();
+    }
+
+    /** Whether the motion predicts the live events. */
+    boolean isPredictive() {
+        return prediction.holds();
     }
 
     /** What is known of the motion. */
@@ -149,6 +158,30 @@ final class Measurement {
         }
     }
 
+    /**
+     * Judges whether the motion predicts the live events.
+     *
+     * @param wasMeasured whether it was measured from them just now, else held
+     */
+    void judge(boolean wasMeasured, Motion motion, LiveEvents live, double radius, MetricFit fit, long nowUs) {
+        if (count < LEAST_JUDGED) {
+            return;
+        }
+        double along = wasMeasured && fit.size() >= LEAST_EVENTS ? loss.metric : 0;
+        loadAtRest(motion, live, fit);
+        if (fit.size() < LEAST_EVENTS) {
+            // what is hidden is not contradicted
+            return;
+        }
+        double atRest = fit.metric();
+        if (along < atRest) {
+            // along the motion as it is now, which the measurement has improved
+            load(motion, live, radius, fit);
+            along = Math.max(along, fit.metric());
+        }
+        prediction.judge(along, atRest, motion.speed(radius), nowUs - live.oldestUs(), nowUs);
+    }
+
     /** Notes how far the structure has travelled without being sharp. */
     private void followSharpness(double half, long lifetimeUs, long nowUs) {
         boolean sharp = loss.best() >= LEAST_SHARPNESS * loss.metric * half * half;
@@ -185,6 +218,18 @@ final class Measurement {
                 (float) (x - motion.centreX), (float) (y - motion.centreY), live.sign[i]);
         }
         return shared;
+    }
+
+    /** Loads the same events where they are. */
+    private void loadAtRest(Motion motion, LiveEvents live, MetricFit fit) {
+        fit.clear();
+        int want = sample(live.size());
+        for (int k = 0; k < want; k++) {
+            int i = live.index(sampled(k, want, live.size()));
+            if (live.claim[i] == Claim.OWN) {
+                fit.add(live.x[i], live.y[i], (live.timeUs[i] - motion.referenceUs) * 1e-6f, 0, 0, live.sign[i]);
+            }
+        }
     }
 
     /** Number of the k-th event of a sample of so many events, in stretches from the first to the last. */

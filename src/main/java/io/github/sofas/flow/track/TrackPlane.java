@@ -155,8 +155,11 @@ public final class TrackPlane {
      * @param claim why it is taken
      */
     void take(int x, int y, long timeUs, int polarity, Claim claim, MetricFit fit) {
-        events++;
-        lastUs = timeUs;
+        if (isPredictive()) {
+            // else it got no flow
+            events++;
+            lastUs = timeUs;
+        }
         contour.addLast(polarity);
         int tile = claim == Claim.REMEMBERED ? memory.tile(x, y, timeUs) : memory.see(x, y, timeUs);
         if (live.takes(tile)) {
@@ -176,6 +179,11 @@ public final class TrackPlane {
             * measurement.lifetimePx() / 2;
         return (long) Math.min(MAX_LIFETIME_US,
             measurement.lifetimePx() / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
+    }
+
+    /** Whether its motion tells where its events come from: else they get no flow until it does again. */
+    boolean isPredictive() {
+        return measurement.isPredictive();
     }
 
     /** Events of the structure per px of travel. */
@@ -245,9 +253,11 @@ public final class TrackPlane {
         if (isStarved()) {
             // what is left is noise, or too little: the motion is held
             measurement.hold(motion);
+            measurement.judge(false, motion, live, contour.radius(), fit, nowUs);
         } else if (nowUs - live.oldestUs() > 10) {
             measurement.measure(motion, live, contour.radius(), fit, lifetimeUs, nowUs);
             measured.measured(id, motion);
+            measurement.judge(true, motion, live, contour.radius(), fit, nowUs);
         }
         carryOn(nowUs);
     }

@@ -65,9 +65,10 @@ public final class TrackPlaneStack {
     }
 
     /**
-     * Gives an event to the plane that it belongs to, and labels it with the motion that the plane had before.
+     * Gives an event to the plane that it belongs to, and labels it with the motion that the plane had before, unless
+     * that is found not to predict its events.
      *
-     * @param output takes flow and segment as its entry i; none where no plane takes the event
+     * @param output takes flow and segment as its entry i; none where no motion predicts the event
      * @return whether the event is explained; if not, it may be one of a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
@@ -103,7 +104,11 @@ public final class TrackPlaneStack {
             write(output, i, 0, 0, 0);
             return false;
         }
-        write(output, i, best.id(), best.motion().vxAt(x, y, timeUs), best.motion().vyAt(x, y, timeUs));
+        if (best.isPredictive()) {
+            write(output, i, best.id(), best.motion().vxAt(x, y, timeUs), best.motion().vyAt(x, y, timeUs));
+        } else {
+            write(output, i, 0, 0, 0);
+        }
         best.take(x, y, timeUs, polarity, claim, fit);
         return explained;
     }

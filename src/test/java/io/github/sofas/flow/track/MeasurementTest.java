@@ -57,6 +57,14 @@ public class MeasurementTest {
         nowUs += STEP_US;
     }
 
+    /** The same edge stands for 10 ms and fires twice in each row. */
+    private void flicker() {
+        for (int k = 0; k < 60; k++) {
+            live.add((int) edgePx, 35 + k % 30, nowUs + k * STEP_US / 60, 1, Claim.OWN, 0);
+        }
+        nowUs += STEP_US;
+    }
+
     private long lifetimeUs() {
         return (long) (measurement.lifetimePx() / Math.hypot(motion.vx, motion.vy) * 1e6);
     }
@@ -65,6 +73,10 @@ public class MeasurementTest {
         live.expire(nowUs - lifetimeUs());
         measurement.measure(motion, live, RADIUS_PX, fit, lifetimeUs(), nowUs);
         motion.moveReference(nowUs);
+    }
+
+    private void judge(boolean wasMeasured) {
+        measurement.judge(wasMeasured, motion, live, RADIUS_PX, fit, nowUs);
     }
 
     @Test
@@ -132,6 +144,29 @@ public class MeasurementTest {
         assertFalse(measurement.isBlurred());
         measurement.restart();
         assertTrue(measurement.isSharp());
+    }
+
+    @Test
+    public void motionThatIsHeldPredictsWhatGoesOnButNotWhatStands() {
+        start(100);
+        for (int i = 0; i < 10; i++) {
+            edge(100);
+            measure();
+            judge(true);
+            assertTrue(measurement.isPredictive());
+        }
+        edge(100);
+        judge(false);
+        assertTrue(measurement.isPredictive());
+        live.clear();
+        motion.moveReference(nowUs);
+        for (int i = 0; i < 5; i++) {
+            flicker();
+        }
+        judge(false);
+        assertFalse(measurement.isPredictive());
+        measurement.restart();
+        assertTrue(measurement.isPredictive());
     }
 
     @Test

@@ -215,7 +215,8 @@ public class TrackPlaneTest {
         assertEquals(State.WAITED_FOR, goOnWith(7, 16));
         long votes = fit.votes();
         plane.recentre(fit, nowUs);
-        assertEquals(votes, fit.votes());
+        // looked at along the motion and at rest, each on two grids at most: no fit, which takes five looks
+        assertTrue(fit.votes() - votes <= 4 * fit.size());
         // and measured again as soon as it gets its events
         goOn(16);
         assertTrue(fit.votes() > votes);

@@ -1,0 +1,55 @@
+package io.github.sofas.flow.track;
+
+/**
+ * Whether the motion of a structure predicts its events: whether they meet no less often along it than where they are.
+ * Ours, because a motion that has run away, as it does where something small turns back, goes on to label what happens
+ * to lie on its contour. It is the yardstick of flow without a truth (flow warp loss, Stoffregen et al. 2020), as far
+ * as the past tells it.
+ */
+final class Prediction {
+    /** Travel over the window below which both are as good, in px. */
+    private static final double LEAST_TRAVEL_PX = 2;
+    /** Standard deviations by which events that are sharper at rest refute it: a metric of m has one of sqrt(m). */
+    private static final double WRONG_SIGMAS = 1;
+    /** Travel against the events after which there is no structure that moves like this, in px. */
+    private static final double WRONG_PX = 5;
+
+    private boolean holds;
+    private double wrongPx;
+    private long judgedUs;
+
+    /** Begins with a motion that is new, and not to be judged before it is measured again. */
+    void restart() {
+        holds = true;
+        wrongPx = 0;
+        judgedUs = 0;
+    }
+
+    /** Whether the events meet no less along the motion than at rest; else it tells nothing of them for now. */
+    boolean holds() {
+        return holds;
+    }
+
+    /** Whether they have contradicted it for so long that there is no structure, or none that moves like this. */
+    boolean isRefuted() {
+        return wrongPx > WRONG_PX;
+    }
+
+    /**
+     * Judges the motion.
+     *
+     * @param along metric of the live events moved along the motion
+     * @param atRest metric of the same events where they are
+     * @param speed of the motion in px/s
+     * @param windowUs time that the live events span
+     */
+    void judge(double along, double atRest, double speed, long windowUs, long nowUs) {
+        holds = along >= atRest || speed * windowUs * 1e-6 <= LEAST_TRAVEL_PX;
+        if (holds) {
+            wrongPx = 0;
+        } else if (atRest - along > WRONG_SIGMAS * Math.sqrt(atRest) && judgedUs != 0) {
+            wrongPx += speed * (nowUs - judgedUs) * 1e-6;
+        }
+        judgedUs = nowUs;
+    }
+}

@@ -1,0 +1,75 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.Before;
+import org.junit.Test;
+
+/** Motions of 50 px/s whose events span 100 ms: 5 px of travel, more than the 2 px below which none is judged. */
+public class PredictionTest {
+    private static final double SPEED = 50;
+    private static final long WINDOW_US = 100_000;
+
+    private final Prediction prediction = new Prediction();
+    private long nowUs = 1_000_000;
+
+    @Before
+    public void start() {
+        prediction.restart();
+    }
+
+    private void judge(double along, double atRest, double speed, long afterUs) {
+        nowUs += afterUs;
+        prediction.judge(along, atRest, speed, WINDOW_US, nowUs);
+    }
+
+    @Test
+    public void believesAMotionThatIsNew() {
+        assertTrue(prediction.holds());
+        assertFalse(prediction.isRefuted());
+    }
+
+    @Test
+    public void holdsWhileEventsMeetNoLessThanAtRest() {
+        judge(400, 400, SPEED, 10_000);
+        assertTrue(prediction.holds());
+        judge(399, 400, SPEED, 10_000);
+        assertFalse(prediction.holds());
+    }
+
+    @Test
+    public void doesNotJudgeWhatHardlyTravels() {
+        judge(100, 200, 20, 10_000);
+        assertTrue("2 px in 100 ms", prediction.holds());
+        judge(100, 200, 20.1, 10_000);
+        assertFalse(prediction.holds());
+    }
+
+    @Test
+    public void isRefutedAfterFivePixelsAgainstTheEvents() {
+        judge(100, 200, SPEED, 0);
+        judge(100, 200, SPEED, 100_000);
+        assertFalse("5 px, not more", prediction.isRefuted());
+        judge(100, 200, SPEED, 1_000);
+        assertTrue(prediction.isRefuted());
+    }
+
+    @Test
+    public void isNotRefutedByEventsThatTellNothing() {
+        // within a standard deviation, sqrt(100) = 10, of rest: what is hidden looks like this
+        judge(90, 100, SPEED, 0);
+        judge(90, 100, SPEED, 1_000_000);
+        assertFalse(prediction.holds());
+        assertFalse(prediction.isRefuted());
+    }
+
+    @Test
+    public void forgetsWhatWasAgainstItWhenItHoldsAgain() {
+        judge(100, 200, SPEED, 0);
+        judge(100, 200, SPEED, 90_000);
+        judge(400, 200, SPEED, 10_000);
+        judge(100, 200, SPEED, 50_000);
+        assertFalse(prediction.isRefuted());
+    }
+}
