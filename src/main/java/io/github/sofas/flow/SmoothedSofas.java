@@ -6,7 +6,6 @@ import io.github.sofas.flow.smooth.Smoother;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -172,6 +171,9 @@ public final class SmoothedSofas implements Labelling {
     }
 
     private void end(Segment segment) {
+        if (!smoother.end(segment.id())) {
+            return;
+        }
         int label = smoother.label(segment.id());
         if (segment.fate() != Segment.Fate.MERGED || smoother.merge(segment.id(), segment.mergedInto())) {
             ending.put(label, segment);
@@ -190,15 +192,20 @@ public final class SmoothedSofas implements Labelling {
             return;
         }
         Set<Integer> living = new HashSet<>();
-        sofas.segments().forEach(segment -> living.add(smoother.label(segment.id())));
-        for (Iterator<Map.Entry<Integer, Segment>> rest = ending.entrySet().iterator(); rest.hasNext();) {
-            Map.Entry<Integer, Segment> next = rest.next();
+        segments().forEach(segment -> living.add(segment.id()));
+        // what merged first: its events count for what it merged into, which may be over, too
+        tellOfEnded(true, living);
+        tellOfEnded(false, living);
+    }
+
+    private void tellOfEnded(boolean merged, Set<Integer> living) {
+        for (Map.Entry<Integer, Segment> next : List.copyOf(ending.entrySet())) {
             int label = next.getKey();
-            if (smoother.isOver(label) && !living.contains(label)) {
-                rest.remove();
-                Segment segment = next.getValue();
+            Segment segment = next.getValue();
+            boolean isMerged = segment.fate() == Segment.Fate.MERGED;
+            if (isMerged == merged && smoother.isOver(label) && !living.contains(label)) {
+                ending.remove(label);
                 Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
-                boolean isMerged = segment.fate() == Segment.Fate.MERGED;
                 Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
                 if (isMerged) {
                     tallies.computeIfAbsent(told.mergedInto(), id -> new Tally()).add(own);
@@ -223,6 +230,9 @@ public final class SmoothedSofas implements Labelling {
     public List<Segment> segments() {
         Map<Integer, Segment> newest = new LinkedHashMap<>();
         for (Segment segment : sofas.segments()) {
+            if (smoother.isLeft(segment.id())) {
+                continue;
+            }
             newest.merge(smoother.label(segment.id()), segment, SmoothedSofas::later);
         }
         List<Segment> segments = new ArrayList<>();

@@ -13,6 +13,10 @@ import java.util.Set;
 final class Labels {
     private final Map<Integer, Integer> paths = new HashMap<>();
     private final Map<Integer, Integer> labels = new HashMap<>();
+    /** Segments of the engine that were known again in another one, and live on as what is left of them. */
+    private final Set<Integer> left = new HashSet<>();
+    /** Segments that the engine ended. */
+    private final Set<Integer> ended = new HashSet<>();
     /** The label that each goes on as that has ended. */
     private final Map<Integer, Integer> ends = new HashMap<>();
     /** Labels that events got for good. */
@@ -60,11 +64,38 @@ final class Labels {
     /** Lets the path of a piece go that no event has any more. */
     void forgetPiece(int path) {
         labels.remove(path);
+        ended.remove(path);
     }
 
     /** Gives all that have a path another one; their label stays. */
     void joinPaths(int from, int to) {
+        leave(to);
+        paths.forEach((segment, path) -> {
+            if (path == to) {
+                leave(segment);
+            }
+        });
         join(paths, from, to);
+    }
+
+    private void leave(int segment) {
+        if (!ended.contains(segment)) {
+            left.add(segment);
+        }
+    }
+
+    /** Notes that the engine ended a segment; false where it was what is left of one that was known again. */
+    boolean endSegment(int segment) {
+        boolean isLeft = left.remove(segment);
+        if (!isLeft) {
+            ended.add(segment);
+        }
+        return !isLeft;
+    }
+
+    /** Whether a segment was known again in another one, which has its path now. */
+    boolean isLeft(int segment) {
+        return left.contains(segment);
     }
 
     /** Notes that events got a label for good. */
@@ -79,6 +110,7 @@ final class Labels {
 
     /** Lets a label go that no event gets any more. */
     void forget(int label) {
+        ended.removeIf(segment -> ofPath(path(segment)) == label);
         paths.values().removeIf(path -> ofPath(path) == label);
         labels.values().removeIf(each -> each == label);
         ends.remove(label);

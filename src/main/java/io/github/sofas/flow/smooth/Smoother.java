@@ -97,7 +97,19 @@ public final class Smoother {
 
     /** Takes a measured motion of a segment. */
     public void add(int segment, Motion motion) {
-        path(labels.path(segment)).add(motion);
+        if (!labels.isLeft(segment)) {
+            path(labels.path(segment)).add(motion);
+        }
+    }
+
+    /** Whether a segment of the engine was known again in another one, and is of no interest any more. */
+    public boolean isLeft(int segment) {
+        return labels.isLeft(segment);
+    }
+
+    /** Notes that the engine ended a segment; false where it was what is left of one that was known again. */
+    public boolean end(int segment) {
+        return labels.endSegment(segment);
     }
 
     /** The label of a segment's events: its own, or that of another that it proved to be the same as. */
