@@ -22,7 +22,7 @@ public final class MotionChange {
     /** Shift at the end of the window by rotation or growth below which neither shows in parts of it, in px. */
     private static final double LEAST_SHOWN_PX = 0.03;
     /** Metric that a turning or growth gains, in standard deviations, at which half of it is believed. */
-    private static final double GAIN_SIGMAS = 0.5;
+    private static final double GAIN_SIGMAS = 0.2;
     /** Measurements to one that looks again how alike the parameters of the motion are. */
     private static final int STRUCTURE_EVERY = 2;
     /** Distance of the projections that measure a change, at the end of the window. */
