@@ -98,6 +98,11 @@ final class Labels {
         return left.contains(segment);
     }
 
+    /** Notes that what was left of a segment is all of it again. */
+    void resume(int segment) {
+        left.remove(segment);
+    }
+
     /** Notes that events got a label for good. */
     void give(int label) {
         given.add(label);

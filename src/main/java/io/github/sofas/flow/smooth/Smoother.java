@@ -124,6 +124,11 @@ public final class Smoother {
      * @return whether its label ends with this: it was given to events, and no other is given to them any more
      */
     public boolean merge(int segment, int into) {
+        if (labels.path(segment) == labels.path(into)) {
+            // what was known again becomes one with what was left of it
+            labels.resume(into);
+            return false;
+        }
         int from = label(segment);
         int to = label(into);
         SegmentPath piece = path(labels.path(segment));

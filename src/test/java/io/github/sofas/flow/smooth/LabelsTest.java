@@ -36,6 +36,17 @@ public class LabelsTest {
     }
 
     @Test
+    public void whatIsLeftEndsUnseenUnlessItBecomesAllOfItAgain() {
+        labels.joinPaths(7, 2);
+        assertTrue(labels.isLeft(2));
+        assertFalse("7 goes on as 2", labels.endSegment(2));
+        labels.joinPaths(8, 3);
+        labels.resume(3);
+        assertFalse(labels.isLeft(3));
+        assertTrue("8 became one with 3", labels.endSegment(3));
+    }
+
+    @Test
     public void forgetsWhatIsOver() {
         labels.joinPaths(5, 1);
         labels.join(1, 2);
