@@ -77,4 +77,42 @@ public class BilinearAccumulatorTest {
         assertEquals(2, accumulator.metric(apart, 6, still, 0), 0);
         assertEquals(0, accumulator.metric(apart, 5, still, 0), 0);
     }
+
+    private static void addOften(BilinearAccumulator accumulator, int x, int y, int polarity) {
+        for (int seen = 0; seen < 8; seen++) {
+            accumulator.add(x, y, polarity);
+        }
+    }
+
+    /** How a frame of events about (32, 32) changes when it turns about a place beside it, or there. */
+    private static StructureTensor structureOfFrame(int reachX, int reachY, double turnAboutX) {
+        BilinearAccumulator accumulator = new BilinearAccumulator(64, 64, CELL_PX, 4096, 0);
+        for (int k = -reachX; k <= reachX; k++) {
+            addOften(accumulator, 32 + k, 32 - reachY, 1);
+            addOften(accumulator, 32 + k, 32 + reachY, -1);
+        }
+        for (int k = -reachY; k <= reachY; k++) {
+            addOften(accumulator, 32 - reachX, 32 + k, 1);
+            addOften(accumulator, 32 + reachX, 32 + k, -1);
+        }
+        accumulator.lay();
+        StructureTensor tensor = new StructureTensor();
+        accumulator.structure(tensor, turnAboutX, 32, Math.max(reachX, reachY));
+        return tensor;
+    }
+
+    @Test
+    public void squareShowsItsTurningAndItsGrowth() {
+        StructureTensor tensor = structureOfFrame(12, 12, 32);
+        assertEquals(1, tensor.own(StructureTensor.TURN), 0.1);
+        assertEquals(1, tensor.own(StructureTensor.GROW), 0.1);
+    }
+
+    @Test
+    public void turningAboutAFarPlaceIsMostlyAShift() {
+        // about 48 px to the left each place moves down by 48 px a rad, give or take 12: a shift explains all but
+        // 4 % of it, and of the shift itself a sixth may be noise, 0.005 of 0.03
+        StructureTensor tensor = structureOfFrame(12, 12, -16);
+        assertEquals(0.04 + 0.17, tensor.own(StructureTensor.TURN), 0.05);
+    }
 }
