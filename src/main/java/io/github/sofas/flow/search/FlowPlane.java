@@ -224,11 +224,6 @@ public final class FlowPlane {
         return sensor;
     }
 
-    /** Number of the oldest event that any projection holds. */
-    int oldest() {
-        return events.first();
-    }
-
     /** Number of the oldest event that the projections of a speed hold. */
     int oldest(int ring) {
         return oldest[ring];

@@ -282,7 +282,7 @@ public final class StructureSearch {
         Structures.Structure structure = structures.create(nowUs, refinement.vx(), refinement.vy());
         surroundings.hand(structure);
         structure.begin(nowUs);
-        for (int e = plane.oldest(); e != events.head(); e++) {
+        for (int e = events.first(); e != events.head(); e++) {
             if (!events.isTakenOut(e) && surroundings.has(events.x(e), events.y(e), events.timeUs(e))) {
                 take(e);
             }

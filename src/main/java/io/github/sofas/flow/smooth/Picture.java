@@ -14,8 +14,8 @@ final class Picture {
     private final int height;
     /** Whether an event lies on a pixel or beside it. */
     private final boolean[] near;
-    private short[] columns = new short[MOST_EVENTS];
-    private short[] rows = new short[MOST_EVENTS];
+    private final short[] columns = new short[MOST_EVENTS];
+    private final short[] rows = new short[MOST_EVENTS];
     private int events;
     private double sumX;
     private double sumY;
@@ -56,8 +56,10 @@ final class Picture {
         }
     }
 
-    /** Adds an event that was moved to a place; what has left the sensor by more than a few px is left out, and
-     * what comes after the first {@value #MOST_EVENTS}. */
+    /**
+     * Adds an event that was moved to a place; what has left the sensor by more than a few px is left out, and what
+     * comes after the first {@value #MOST_EVENTS}.
+     */
     void add(double x, double y) {
         int column = (int) Math.floor(x) + BORDER;
         int row = (int) Math.floor(y) + BORDER;

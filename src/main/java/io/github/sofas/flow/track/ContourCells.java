@@ -122,11 +122,9 @@ final class ContourCells {
 
     /** The same on a cell. */
     void seeCell(int cx, int cy, int polarity, int age) {
-        if (cx < 1 || cy < 1 || cx >= width - 1 || cy >= height - 1 || age >= SIXTEENTHS) {
-            return;
+        if (age < SIXTEENTHS) {
+            add(cx, cy, NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS));
         }
-        seen[cy * width + cx] |= NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS);
-        include(cx, cy);
     }
 
     private void include(int cx, int cy) {
@@ -242,6 +240,7 @@ final class ContourCells {
         }
     }
 
+    /** Adds sixteenths to a cell, unless that lies at the border of the grid or beyond. */
     private void add(int cx, int cy, int of) {
         if (cx >= 1 && cy >= 1 && cx < width - 1 && cy < height - 1) {
             seen[cy * width + cx] |= of;
