@@ -1,6 +1,7 @@
 package io.github.sofas.cli;
 
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.CausalBatch;
 import io.github.sofas.flow.FlowOutput;
 import java.io.IOException;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -11,8 +12,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Reads, labels and writes the batches of a recording: all in the caller's thread, or writing in one of its own, or
- * reading too. Each step gets all batches in order and in one thread, so that its results are the same however many
- * threads there are.
+ * reading too. Where labels look ahead, that is a part of writing. Each step gets all batches in order and in one
+ * thread, so that its results are the same however many threads there are.
  */
 final class BatchPipeline {
     /** Reading, labelling, writing. */
@@ -26,6 +27,8 @@ final class BatchPipeline {
     static final class Slot {
         final EventBatch events = new EventBatch(BATCH);
         final FlowOutput flow = new FlowOutput(BATCH);
+        /** Where labels look ahead, what they are made from: the writer makes them, of other events than were read. */
+        final CausalBatch causal = new CausalBatch();
         /** How much of the file was read when it was filled. */
         long bytesRead;
     }
@@ -44,6 +47,14 @@ final class BatchPipeline {
          * @throws IOException where it cannot be written; no further batch is read then
          */
         void write(Slot slot) throws IOException;
+
+        /**
+         * Writes what is held back when all batches are written.
+         *
+         * @param slot any
+         * @throws IOException where it cannot be written
+         */
+        void finish(Slot slot) throws IOException;
     }
 
     private static final Slot END = new Slot();
@@ -73,6 +84,7 @@ final class BatchPipeline {
                 steps.label(slot);
                 steps.write(slot);
             }
+            steps.finish(slot);
         } else {
             new BatchPipeline(steps).runTogether(threads);
         }
@@ -147,6 +159,13 @@ final class BatchPipeline {
                 failure = e;
             }
             free.put(slot);
+        }
+        try {
+            if (failure == null) {
+                steps.finish(new Slot());
+            }
+        } catch (IOException | RuntimeException | Error e) {
+            failure = e;
         }
         return null;
     }

@@ -4,6 +4,7 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SmoothedSofas;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -19,7 +20,7 @@ import java.util.function.Consumer;
  */
 record MethodChoice(String method, String preset, Map<String, Object> parameters,
                     BiFunction<SensorSize, Consumer<Segment>, EventLabeller> maker,
-                    BiFunction<SensorSize, Consumer<Segment>, Labelling> aheadMaker) {
+                    BiFunction<SensorSize, Consumer<Segment>, SmoothedSofas> aheadMaker) {
 
     /** A method without look-ahead. */
     MethodChoice(String method, String preset, Map<String, Object> parameters,
@@ -34,7 +35,12 @@ record MethodChoice(String method, String preset, Map<String, Object> parameters
 
     /** Makes the method for a sensor, with look-ahead where that was chosen. */
     Labelling labelling(SensorSize sensor, Consumer<Segment> ended) {
-        return looksAhead() ? aheadMaker.apply(sensor, ended) : Labelling.atOnce(make(sensor, ended));
+        return looksAhead() ? ahead(sensor, ended) : Labelling.atOnce(make(sensor, ended));
+    }
+
+    /** Makes it with the look-ahead that was chosen. */
+    SmoothedSofas ahead(SensorSize sensor, Consumer<Segment> ended) {
+        return aheadMaker.apply(sensor, ended);
     }
 
     /** Makes the method for a sensor; ended is called for each segment that ends. */

@@ -13,9 +13,8 @@ import io.github.sofas.export.TrackTable;
 import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
-import io.github.sofas.flow.LabelledSource;
-import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SmoothedSofas;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
@@ -191,7 +190,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
             }
             segments.addAll(steps.livingSegments());
             RunSummary.Seconds seconds = new RunSummary.Seconds((System.nanoTime() - start) / 1e9,
-                steps.decodeNs() / 1e9, steps.engineNs() / 1e9, steps.outputNs / 1e9);
+                steps.decodeNs / 1e9, steps.engineNs() / 1e9, steps.outputNs / 1e9);
             RecordingSummary read = Summaries.of(source, reader, steps.damage);
             RunSummary summary = new RunSummary(Version.text(), request, read, method.method(), method.preset(),
                 method.parameters(), steps.eventsWithFlow, steps.withoutFlow.likelyReason(), segments,
@@ -267,8 +266,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         private final RecordingReader reader;
         /** One of the two; what looks ahead gives events back later than they are read. */
         private final EventLabeller labeller;
-        private final Labelling ahead;
-        private final LabelledSource labelled;
+        private final SmoothedSofas ahead;
         private final ReportCollector report;
         private final RunProgress progress;
         private Tables tables;
@@ -276,6 +274,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         private Exception reportFailure;
         private long decodeNs;
         private long engineNs;
+        private long lookAheadNs;
         private long outputNs;
         private final WithoutFlow withoutFlow;
         private long eventsWithFlow;
@@ -285,8 +284,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
               RunProgress progress) {
             this.reader = reader;
             labeller = method.looksAhead() ? null : method.make(reader.sensor(), ended);
-            ahead = method.looksAhead() ? method.labelling(reader.sensor(), ended) : null;
-            labelled = ahead == null ? null : new LabelledSource(reader, ahead);
+            ahead = method.looksAhead() ? method.ahead(reader.sensor(), ended) : null;
             this.report = report;
             this.progress = progress;
             withoutFlow = new WithoutFlow(reader.sensor());
@@ -297,7 +295,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
             long start = System.nanoTime();
             boolean more = false;
             try {
-                more = labelled == null ? reader.next(slot.events) : labelled.next(slot.events, slot.flow);
+                more = reader.next(slot.events);
             } catch (EventSourceException e) {
                 damage = e;
             }
@@ -308,27 +306,55 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
 
         @Override
         public void label(BatchPipeline.Slot slot) {
-            if (labeller != null) {
-                long start = System.nanoTime();
+            long start = System.nanoTime();
+            if (ahead == null) {
                 labeller.process(slot.events, slot.flow);
-                engineNs += System.nanoTime() - start;
+            } else {
+                ahead.label(slot.events, slot.causal);
             }
+            engineNs += System.nanoTime() - start;
         }
 
         List<Segment> livingSegments() {
-            return labeller == null ? ahead.segments() : labeller.segments();
+            return ahead == null ? labeller.segments() : ahead.segments();
         }
 
         private long engineNs() {
-            return labelled == null ? engineNs : labelled.labellingNs();
-        }
-
-        private long decodeNs() {
-            return labelled == null ? decodeNs : decodeNs - labelled.labellingNs();
+            return engineNs + lookAheadNs;
         }
 
         @Override
         public void write(BatchPipeline.Slot slot) throws IOException {
+            if (ahead == null) {
+                writeRows(slot);
+            } else {
+                lookAhead(() -> ahead.add(slot.causal), slot);
+            }
+        }
+
+        @Override
+        public void finish(BatchPipeline.Slot slot) throws IOException {
+            if (ahead != null) {
+                slot.bytesRead = bytesShown;
+                lookAhead(ahead::finish, slot);
+            }
+        }
+
+        /** Writes the events that can be labelled after a step, in place of those that were read. */
+        private void lookAhead(Runnable step, BatchPipeline.Slot slot) throws IOException {
+            long start = System.nanoTime();
+            step.run();
+            boolean more = ahead.next(slot.events, slot.flow);
+            lookAheadNs += System.nanoTime() - start;
+            while (more) {
+                writeRows(slot);
+                start = System.nanoTime();
+                more = ahead.next(slot.events, slot.flow);
+                lookAheadNs += System.nanoTime() - start;
+            }
+        }
+
+        private void writeRows(BatchPipeline.Slot slot) throws IOException {
             long start = System.nanoTime();
             tables.write(slot.events, slot.flow);
             addToReport(slot);

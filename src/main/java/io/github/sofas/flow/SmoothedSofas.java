@@ -2,6 +2,8 @@ package io.github.sofas.flow;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.smooth.SliceClock;
 import io.github.sofas.flow.smooth.Smoother;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -11,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 
 /**
@@ -32,7 +35,9 @@ import java.util.function.Consumer;
  * where there are more than {@value Smoother#MOST_EVENTS} events in a quarter of the look-ahead: memory is bounded, by
  * 64 MB beyond that of the engine where events are taken as soon as they can be. Labels depend on the events only.
  *
- * <p>For one thread at a time. Instances share nothing.
+ * <p>For one thread at a time, or for two: {@link #label} runs the engine, and what it gives is looked at from both
+ * sides by {@link #add(CausalBatch)}, {@link #finish} and {@link #next}, which one other thread may call meanwhile. The
+ * labels are the same. Instances share nothing.
  */
 public final class SmoothedSofas implements Labelling {
     /** Shortest look-ahead in µs. */
@@ -42,12 +47,21 @@ public final class SmoothedSofas implements Labelling {
 
     private static final int PART = 4096;
 
+    // of the first step
     private final Sofas sofas;
-    private final Smoother smoother;
-    private final Consumer<Segment> ended;
+    private final SliceClock clock;
     private final EventBatch part = new EventBatch(PART);
     private final FlowOutput causal = new FlowOutput(PART);
     private long newestUs = Long.MIN_VALUE;
+    /** What the engine finds goes there. */
+    private CausalBatch found;
+    // of the second
+    private final Smoother smoother;
+    private final Consumer<Segment> ended;
+    /** Hands the first step's results to the second where both are one. */
+    private final CausalBatch own = new CausalBatch();
+    /** Segments of which the engine has told, and not that they ended. */
+    private final Set<Integer> living = new TreeSet<>();
     /** What ended last of each label, which may have events still. */
     private final Map<Integer, Segment> ending = new LinkedHashMap<>();
     private final Map<Integer, Tally> tallies = new HashMap<>();
@@ -106,7 +120,8 @@ public final class SmoothedSofas implements Labelling {
         }
         this.ended = Objects.requireNonNull(ended, "ended");
         smoother = new Smoother(sensor, parameters.track(), lookAheadUs);
-        sofas = new Sofas(sensor, parameters, this::end, smoother::add);
+        clock = new SliceClock(lookAheadUs);
+        sofas = new Sofas(sensor, parameters, segment -> found.add(() -> end(segment)), this::find);
     }
 
     /**
@@ -124,29 +139,70 @@ public final class SmoothedSofas implements Labelling {
 
     @Override
     public void add(EventBatch batch) {
-        for (int i = 0; i < batch.size(); i++) {
+        for (int from = 0; from < batch.size(); from += PART) {
+            label(batch, from, Math.min(batch.size(), from + PART), own);
+            add(own);
+        }
+    }
+
+    /**
+     * The first of two steps that {@link #add(EventBatch)} does at once: labels events as a camera would.
+     *
+     * @param batch events that are not earlier than those before; one outside the sensor gets no flow
+     * @param to gets what the second step needs; up to a few thousand of the newest events are handed over later
+     */
+    public void label(EventBatch batch, CausalBatch to) {
+        label(batch, 0, batch.size(), to);
+    }
+
+    private void label(EventBatch batch, int from, int until, CausalBatch to) {
+        to.clear();
+        for (int i = from; i < until; i++) {
             newestUs = Math.max(newestUs, batch.timeUs[i]);
-            if (!smoother.isOfSlice(newestUs, part.size())) {
-                label();
-                smoother.endSlices(newestUs);
+            if (clock.begins(newestUs)) {
+                labelPart(to);
+                long us = newestUs;
+                to.add(() -> smoother.endSlices(us));
             } else if (part.isFull()) {
-                label();
+                labelPart(to);
             }
             part.add(batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
         }
     }
 
-    private void label() {
+    private void labelPart(CausalBatch to) {
+        found = to;
         sofas.process(part, causal);
-        for (int i = 0; i < part.size(); i++) {
-            smoother.add(part, causal, i);
-        }
+        to.add(part, causal);
         part.clear();
     }
 
+    private void find(int segment, Motion motion) {
+        Motion measured = new Motion();
+        measured.copyFrom(motion);
+        found.add(() -> {
+            living.add(segment);
+            smoother.add(segment, measured);
+        });
+    }
+
+    /**
+     * The second of two steps: looks at labelled events from both sides.
+     *
+     * @param labelled what {@link #label} gave, batch after batch
+     */
+    public void add(CausalBatch labelled) {
+        labelled.replay(smoother::add);
+    }
+
+    /**
+     * {@inheritDoc} Where there are two threads, the first step is over by then, and all that it gave was added.
+     */
     @Override
     public void finish() {
-        label();
+        own.clear();
+        labelPart(own);
+        add(own);
         smoother.finish();
     }
 
@@ -171,6 +227,7 @@ public final class SmoothedSofas implements Labelling {
     }
 
     private void end(Segment segment) {
+        living.remove(segment.id());
         if (!smoother.end(segment.id())) {
             return;
         }
@@ -191,19 +248,23 @@ public final class SmoothedSofas implements Labelling {
         if (!isAnyOver) {
             return;
         }
-        Set<Integer> living = new HashSet<>();
-        segments().forEach(segment -> living.add(segment.id()));
+        Set<Integer> alive = new HashSet<>();
+        for (int segment : living) {
+            if (!smoother.isLeft(segment)) {
+                alive.add(smoother.label(segment));
+            }
+        }
         // what merged first: its events count for what it merged into, which may be over, too
-        tellOfEnded(true, living);
-        tellOfEnded(false, living);
+        tellOfEnded(true, alive);
+        tellOfEnded(false, alive);
     }
 
-    private void tellOfEnded(boolean merged, Set<Integer> living) {
+    private void tellOfEnded(boolean merged, Set<Integer> alive) {
         for (Map.Entry<Integer, Segment> next : List.copyOf(ending.entrySet())) {
             int label = next.getKey();
             Segment segment = next.getValue();
             boolean isMerged = segment.fate() == Segment.Fate.MERGED;
-            if (isMerged == merged && smoother.isOver(label) && !living.contains(label)) {
+            if (isMerged == merged && smoother.isOver(label) && !alive.contains(label)) {
                 ending.remove(label);
                 Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
                 Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
@@ -225,7 +286,10 @@ public final class SmoothedSofas implements Labelling {
         return a.lastTimeUs() >= b.lastTimeUs() ? a : b;
     }
 
-    /** Segments that are tracked at the newest event, with the events that were given back of them. */
+    /**
+     * Segments that are tracked at the newest event, with the events that were given back of them. Where there are two
+     * threads, the first step is over by then.
+     */
     @Override
     public List<Segment> segments() {
         Map<Integer, Segment> newest = new LinkedHashMap<>();

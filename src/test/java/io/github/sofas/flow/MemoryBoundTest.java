@@ -128,18 +128,15 @@ public class MemoryBoundTest {
         for (int i = 0; i < 1_000_000; i++) {
             event.clear();
             event.add(i / 20, random.nextInt(346), random.nextInt(260), random.nextInt(2));
-            flow.segment[0] = i % 64;
             if (i % 25 == 0) {
                 motion.set(i / 20, random.nextInt(100), 0);
                 smoother.add(1 + i / 25 % 63, motion);
             }
-            if (!smoother.isOfSlice(i / 20, 0)) {
-                smoother.endSlices(i / 20);
-                while (smoother.take(taken, flow)) {
-                    assertTrue(taken.size() > 0);
-                }
-                flow.segment[0] = i % 64;
+            smoother.endSlices(i / 20);
+            while (smoother.take(taken, flow)) {
+                assertTrue(taken.size() > 0);
             }
+            flow.segment[0] = i % 64;
             smoother.add(event, flow, 0);
         }
         long held = measured(smoother);

@@ -12,7 +12,9 @@ import io.github.sofas.flow.PlainPlane.Event;
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulatedRecording;
 import io.github.sofas.simulate.SimulationOptions;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -76,6 +78,31 @@ public class SmoothedSofasTest {
         assertEquals(whole, run(FILM, 4096));
         assertEquals(whole, run(FILM, 37));
         assertEquals(whole, run(FILM, 1));
+    }
+
+    @Test
+    public void labelsAreTheSameHoweverFarTheFirstStepIsAhead() {
+        List<Given> together = run(FILM, 1000);
+        for (int ahead : new int[] {1, 5, FILM.size()}) {
+            SmoothedSofas sofas = new SmoothedSofas(SENSOR, SofasParameters.defaults(), LOOK_AHEAD_US);
+            Deque<CausalBatch> onTheirWay = new ArrayDeque<>();
+            List<Given> given = new ArrayList<>();
+            EventBatch batch = new EventBatch(1000);
+            FlowOutput flow = new FlowOutput(1000);
+            for (int i = 0; i < FILM.size(); i += 1000) {
+                CausalBatch causal = new CausalBatch();
+                sofas.label(Streams.batch(FILM.subList(i, Math.min(FILM.size(), i + 1000))), causal);
+                onTheirWay.add(causal);
+                if (onTheirWay.size() > ahead) {
+                    sofas.add(onTheirWay.remove());
+                    take(sofas, batch, flow, given);
+                }
+            }
+            onTheirWay.forEach(sofas::add);
+            sofas.finish();
+            take(sofas, batch, flow, given);
+            assertEquals(together, given);
+        }
     }
 
     @Test

@@ -58,7 +58,7 @@ public final class Smoother {
      */
     public Smoother(SensorSize sensor, SofasParameters.Track p, long lookAheadUs) {
         this.sensor = sensor;
-        sliceUs = Math.max(1, lookAheadUs / AHEAD);
+        sliceUs = SliceClock.sliceUs(lookAheadUs);
         competition = new Competition(sensor, window, labels);
         fit = new CentredFit(sensor, window, p);
         knownAgain = new KnownAgain(sensor, window);
@@ -75,24 +75,12 @@ public final class Smoother {
             + (long) BYTES_PER_EVENT * mostEvents;
     }
 
-    /**
-     * Whether an event belongs to the slice that is being filled; if not, that is to be ended first.
-     *
-     * @param waiting events of the slice that were not added yet
-     */
-    public boolean isOfSlice(long timeUs, int waiting) {
-        if (sliceFromUs == Long.MIN_VALUE) {
-            sliceFromUs = Math.floorDiv(timeUs, sliceUs) * sliceUs;
-        }
-        return timeUs < sliceUntilUs() && events(waiting) < MOST_EVENTS;
-    }
-
-    private long events(int waiting) {
-        return window.end() - sliceFrom + waiting;
+    private int events() {
+        return (int) (window.end() - sliceFrom);
     }
 
     private long sliceUntilUs() {
-        return Math.floorDiv(sliceFromUs, sliceUs) * sliceUs + sliceUs;
+        return SliceClock.untilUs(sliceFromUs, sliceUs);
     }
 
     /** Takes a measured motion of a segment. */
@@ -168,6 +156,9 @@ public final class Smoother {
     /** Takes an event with its causal label. */
     public void add(EventBatch batch, FlowOutput causal, int i) {
         newestUs = Math.max(newestUs, batch.timeUs[i]);
+        if (sliceFromUs == Long.MIN_VALUE) {
+            sliceFromUs = Math.floorDiv(newestUs, sliceUs) * sliceUs;
+        }
         int id = labels.path(causal.segment[i]);
         if (id != 0) {
             path(id).see(newestUs);
@@ -178,9 +169,9 @@ public final class Smoother {
         window.vyPxPerS[k] = causal.vyPxPerS[i];
     }
 
-    /** Ends the slice, and all that end before an event that does not belong to it. */
+    /** Ends the slices that end before an event of that time ({@link SliceClock}). */
     public void endSlices(long timeUs) {
-        if (events(0) >= MOST_EVENTS) {
+        if (events() >= MOST_EVENTS) {
             endSlice(Math.min(sliceUntilUs(), newestUs + 1));
         }
         while (timeUs >= sliceUntilUs()) {
