@@ -127,7 +127,7 @@ public final class SmoothedSofas implements Labelling {
     /**
      * {@return the upper bound of the memory that is held, in bytes, whatever the events and the look-ahead} It is that
      * of the engine and, where events are taken as soon as they can be, at most 64 MB more on a sensor of 346 x 260 px:
-     * 37 bytes for each of 2^20 events, and 28 for each pixel, 4 more for each of 655,360 events and what is measured
+     * 37 bytes for each of 2^20 events, and 28 for each pixel, 12 more for each of 655,360 events and what is measured
      * of them.
      *
      * @param sensor size of the pixel array

@@ -51,6 +51,8 @@ final class Competition {
     // of the events of the slice
     private double[] claim = new double[1024];
     private int[] winner = new int[1024];
+    /** The label of the segment that claims. */
+    private int ownLabel;
     // of the block that is looked at
     private long fromUs;
     private double stepsPerUs;
@@ -126,6 +128,7 @@ final class Competition {
         if (!findBox(path, slices, index) || !hasOpen(slice)) {
             return;
         }
+        ownLabel = labels.ofPath(path.id());
         path.at((slice.fromUs + slice.untilUs) / 2, motion);
         double speed = motion.speed(Math.hypot(right - left, bottom - top) / 4);
         long sideUs = (long) Math.min(TRACE_PX / Math.max(speed, 1e-3) * 1e6, mostSideUs);
@@ -214,23 +217,24 @@ final class Competition {
         }
         map.clear();
         for (int k = index; k >= 0 && slices.get(k).untilUs > fromUs; k--) {
-            add(path, slices.get(k), slices.get(index), b + sideUs);
+            add(slices.get(k), slices.get(index), b + sideUs);
         }
         for (int k = index + 1; k < slices.size() && slices.get(k).fromUs < b + sideUs; k++) {
-            add(path, slices.get(k), slices.get(index), b + sideUs);
+            add(slices.get(k), slices.get(index), b + sideUs);
         }
         ask(path, slices.get(index), a, b, shows);
     }
 
-    private int step(long timeUs) {
-        return Math.min(cos.length - 1, (int) ((timeUs - fromUs) * stepsPerUs));
+    /** Step of the projection at a time since the first that is looked at. */
+    private int step(long us) {
+        return Math.min(cos.length - 1, (int) (us * stepsPerUs));
     }
 
     /** Adds the events of a slice to the map that fall in the box, and may meet open ones of another. */
-    private void add(SegmentPath path, Slice slice, Slice asked, long untilUs) {
+    private void add(Slice slice, Slice asked, long untilUs) {
         // where the box is on the sensor during the slice
-        int first = step(Math.max(fromUs, slice.fromUs));
-        int last = step(Math.min(untilUs, slice.untilUs));
+        int first = step(Math.max(0, slice.fromUs - fromUs));
+        int last = step(Math.min(untilUs, slice.untilUs) - fromUs);
         double l = Double.POSITIVE_INFINITY;
         double r = Double.NEGATIVE_INFINITY;
         double t = Double.POSITIVE_INFINITY;
@@ -255,48 +259,32 @@ final class Competition {
             for (int column = tile(l, slice.columns()); column <= tile(r, slice.columns()); column++) {
                 int tile = row * slice.columns() + column;
                 if (asked.isNearOpen(tile)) {
-                    addTile(path, slice, tile, untilUs);
+                    addTile(slice, tile, untilUs);
                 }
             }
         }
     }
 
-    private void addTile(SegmentPath path, Slice slice, int tile, long untilUs) {
-        int label = labels.ofPath(path.id());
+    private void addTile(Slice slice, int tile, long untilUs) {
         int end = slice.start(tile + 1);
-        for (int j = firstFrom(slice, tile, fromUs); j < end; j++) {
-            int k = window.at(slice.event(j));
-            long timeUs = window.timeUs[k];
-            if (timeUs >= untilUs) {
+        int until = (int) Math.min(Integer.MAX_VALUE, untilUs - slice.fromUs);
+        long sinceFromUs = slice.fromUs - fromUs;
+        for (int j = slice.firstFrom(tile, fromUs); j < end; j++) {
+            int afterUs = slice.afterUs(j);
+            if (afterUs >= until) {
                 return;
             }
-            int step = step(timeUs);
-            double x = cos[step] * window.x[k] + sin[step] * window.y[k] + shiftX[step];
-            double y = cos[step] * window.y[k] - sin[step] * window.x[k] + shiftY[step];
+            int step = step(sinceFromUs + afterUs);
+            int eventX = slice.x(j);
+            int eventY = slice.y(j);
+            double x = cos[step] * eventX + sin[step] * eventY + shiftX[step];
+            double y = cos[step] * eventY - sin[step] * eventX + shiftY[step];
             if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
-                int id = window.segment[k];
-                int whose = id == 0 ? TraceMap.NOBODYS : window.label[k] == label ? TraceMap.OWN : TraceMap.OTHERS;
-                map.add(x, y, window.polarity[k], Math.min(TraceMap.PARTS - 1, step / STEPS), whose);
+                int whose = window.label[window.at(slice.event(j))];
+                map.add(x, y, slice.isOn(j), Math.min(TraceMap.PARTS - 1, step / STEPS),
+                    whose == 0 ? TraceMap.NOBODYS : whose == ownLabel ? TraceMap.OWN : TraceMap.OTHERS);
             }
         }
-    }
-
-    /** Place in the order of the first event of a tile at or after a time. */
-    private int firstFrom(Slice slice, int tile, long us) {
-        int low = slice.start(tile);
-        int high = slice.start(tile + 1);
-        if (us <= slice.fromUs) {
-            return low;
-        }
-        while (low < high) {
-            int middle = low + high >>> 1;
-            if (window.timeUs[window.at(slice.event(middle))] < us) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
     }
 
     /** Asks the map about the open events of a block. */
@@ -313,23 +301,24 @@ final class Competition {
 
     private void askTile(SegmentPath path, Slice slice, int tile, long a, long b, boolean shows) {
         int end = slice.start(tile + 1);
-        for (int j = firstFrom(slice, tile, a); j < end; j++) {
-            long event = slice.event(j);
-            int k = window.at(event);
-            long timeUs = window.timeUs[k];
-            if (timeUs >= b) {
+        for (int j = slice.firstFrom(tile, a); j < end; j++) {
+            int afterUs = slice.afterUs(j);
+            if (afterUs >= b - slice.fromUs) {
                 return;
             }
-            int step = step(timeUs);
-            double x = cos[step] * window.x[k] + sin[step] * window.y[k] + shiftX[step];
-            double y = cos[step] * window.y[k] - sin[step] * window.x[k] + shiftY[step];
+            int step = step(slice.fromUs - fromUs + afterUs);
+            int eventX = slice.x(j);
+            int eventY = slice.y(j);
+            double x = cos[step] * eventX + sin[step] * eventY + shiftX[step];
+            double y = cos[step] * eventY - sin[step] * eventX + shiftY[step];
             if (x < left || x > right || y < top || y > bottom) {
                 continue;
             }
-            boolean isOwn = window.segment[k] == path.id();
+            long event = slice.event(j);
+            boolean isOwn = window.segment[window.at(event)] == path.id();
             int part = step / STEPS;
             long wanted = TraceMap.parts(part - SIDE_PARTS, part + SIDE_PARTS + 1) & ~(1L << part);
-            double score = shows ? TraceMap.score(map.around(x, y, window.polarity[k]), wanted, NOBODYS, OTHERS) : 0;
+            double score = shows ? TraceMap.score(map.around(x, y, slice.isOn(j)), wanted, NOBODYS, OTHERS) : 0;
             if (isOwn) {
                 score = shows ? score + PRIOR : 2 * SIDE_PARTS + PRIOR;
             }

@@ -12,6 +12,8 @@ import java.util.Map;
 final class Slice {
     /** Side of a tile in px, as a power of two. */
     static final int TILE_BITS = 5;
+    /** Bits of a row; a column takes as many. */
+    private static final int Y_BITS = 15;
     /** Unlabelled events of a tile, as a share of them and of the labelled ones about, that are more than noise. */
     private static final double UNEXPLAINED = 0.2;
     /** Events of a tile that a second segment must have, as a share of the labelled ones. */
@@ -47,8 +49,10 @@ final class Slice {
     final long until;
     private final int columns;
     private final int rows;
-    /** Events from the slice's first one on, by tile. */
+    /** Events from the slice's first one on, by tile; when each happened, in µs since the slice began, and where. */
     private final int[] order;
+    private final int[] afterUs;
+    private final int[] places;
     private final int[] start;
     private final boolean[] open;
     private final boolean[] nearOpen;
@@ -66,6 +70,13 @@ final class Slice {
         open = new boolean[columns * rows];
         nearOpen = new boolean[columns * rows];
         order = sort(window, sensor);
+        afterUs = new int[order.length];
+        places = new int[order.length];
+        for (int k = 0; k < order.length; k++) {
+            int at = window.at(from + order[k]);
+            afterUs[k] = (int) (window.timeUs[at] - fromUs);
+            places[k] = window.x[at] << Y_BITS + 1 | window.y[at] << 1 | (window.polarity[at] > 0 ? 1 : 0);
+        }
         findOpen(window);
     }
 
@@ -73,7 +84,7 @@ final class Slice {
     static long mostBytes(SensorSize sensor, int mostEvents) {
         long tiles = (sensor.width() - 1L >> TILE_BITS) + 1;
         tiles *= (sensor.height() - 1L >> TILE_BITS) + 1;
-        return Integer.BYTES * (mostEvents + tiles) + 2 * tiles;
+        return Integer.BYTES * (3L * mostEvents + tiles) + 2 * tiles;
     }
 
     private int[] sort(EventWindow window, SensorSize sensor) {
@@ -197,6 +208,44 @@ final class Slice {
     /** Number of the k-th event in the order of tiles. */
     long event(int k) {
         return from + order[k];
+    }
+
+    /** When the k-th event happened, in µs since the slice began. */
+    int afterUs(int k) {
+        return afterUs[k];
+    }
+
+    /** Column of the k-th event. */
+    int x(int k) {
+        return places[k] >> Y_BITS + 1;
+    }
+
+    /** Row of the k-th event. */
+    int y(int k) {
+        return places[k] >> 1 & (1 << Y_BITS) - 1;
+    }
+
+    /** Whether the k-th event is an ON event. */
+    boolean isOn(int k) {
+        return (places[k] & 1) != 0;
+    }
+
+    /** Place in the order of the first event of a tile at or after a time. */
+    int firstFrom(int tile, long us) {
+        int low = start[tile];
+        int high = start[tile + 1];
+        if (us <= fromUs) {
+            return low;
+        }
+        while (low < high) {
+            int middle = low + high >>> 1;
+            if (afterUs[middle] < us - fromUs) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
     }
 
     /** Whether it is to be decided anew whose the events of a tile are: several may have them, or none has many. */

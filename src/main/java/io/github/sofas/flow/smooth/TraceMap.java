@@ -58,11 +58,11 @@ final class TraceMap {
      * @param part of the time in which it happened
      * @param whose {@link #OWN}, {@link #NOBODYS} or {@link #OTHERS}
      */
-    void add(double x, double y, int polarity, int part, int whose) {
+    void add(double x, double y, boolean isOn, int part, int whose) {
         int column = (int) (x + (BORDER + 0.5));
         int row = (int) (y + (BORDER + 0.5));
         if (isInside(column, row)) {
-            (polarity > 0 ? on : off)[row * width + column] |= 1L << part + whose * PARTS;
+            (isOn ? on : off)[row * width + column] |= 1L << part + whose * PARTS;
             top = Math.min(top, row);
             bottom = Math.max(bottom, row + 1);
         }
@@ -73,13 +73,13 @@ final class TraceMap {
     }
 
     /** What is known of the four pixels around a place. */
-    long around(double x, double y, int polarity) {
+    long around(double x, double y, boolean isOn) {
         int column = (int) (x + BORDER);
         int row = (int) (y + BORDER);
         if (!isInside(column, row)) {
             return 0;
         }
-        long[] map = polarity > 0 ? on : off;
+        long[] map = isOn ? on : off;
         int k = row * width + column;
         return map[k] | map[k + 1] | map[k + width] | map[k + width + 1];
     }

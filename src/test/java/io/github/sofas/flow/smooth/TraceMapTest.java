@@ -12,42 +12,42 @@ public class TraceMapTest {
 
     @Test
     public void eventsAreFoundFromLessThanAPixelAwayWithTheirPolarity() {
-        map.add(5, 5, 1, 3, TraceMap.OWN);
-        assertEquals(1L << 3, map.around(5, 5, 1));
-        assertEquals(1L << 3, map.around(5.9, 4.1, 1));
-        assertEquals(0, map.around(6.1, 5, 1));
-        assertEquals(0, map.around(5, 3.9, 1));
-        assertEquals(0, map.around(5, 5, -1));
+        map.add(5, 5, true, 3, TraceMap.OWN);
+        assertEquals(1L << 3, map.around(5, 5, true));
+        assertEquals(1L << 3, map.around(5.9, 4.1, true));
+        assertEquals(0, map.around(6.1, 5, true));
+        assertEquals(0, map.around(5, 3.9, true));
+        assertEquals(0, map.around(5, 5, false));
     }
 
     @Test
     public void whatIsBesideTheSensorIsFoundAndWhatIsFarFromItIsLeftOut() {
-        map.add(-3, 5, 1, 0, TraceMap.OWN);
-        assertEquals(1, map.around(-3, 5, 1));
-        map.add(-30, 5, 1, 0, TraceMap.OWN);
-        map.add(50, 500, 1, 0, TraceMap.OWN);
-        assertEquals(0, map.around(-30, 5, 1));
-        assertEquals(0, map.around(50, 500, 1));
+        map.add(-3, 5, true, 0, TraceMap.OWN);
+        assertEquals(1, map.around(-3, 5, true));
+        map.add(-30, 5, true, 0, TraceMap.OWN);
+        map.add(50, 500, true, 0, TraceMap.OWN);
+        assertEquals(0, map.around(-30, 5, true));
+        assertEquals(0, map.around(50, 500, true));
     }
 
     @Test
     public void clearedMapIsEmpty() {
-        map.add(5, 5, 1, 3, TraceMap.OWN);
-        map.add(5, 9, -1, 3, TraceMap.OWN);
+        map.add(5, 5, true, 3, TraceMap.OWN);
+        map.add(5, 9, false, 3, TraceMap.OWN);
         map.clear();
-        assertEquals(0, map.around(5, 5, 1));
-        assertEquals(0, map.around(5, 9, -1));
+        assertEquals(0, map.around(5, 5, true));
+        assertEquals(0, map.around(5, 9, false));
     }
 
     @Test
     public void eachPartCountsOnceForTheOneThatCountsMost() {
-        map.add(5, 5, 1, 1, TraceMap.OWN);
-        map.add(5, 5, 1, 1, TraceMap.OTHERS);
-        map.add(6, 5, 1, 2, TraceMap.NOBODYS);
-        map.add(6, 5, 1, 2, TraceMap.OTHERS);
-        map.add(5, 6, 1, 4, TraceMap.OTHERS);
-        map.add(5, 6, 1, 9, TraceMap.OWN);
-        long known = map.around(5.5, 5.5, 1);
+        map.add(5, 5, true, 1, TraceMap.OWN);
+        map.add(5, 5, true, 1, TraceMap.OTHERS);
+        map.add(6, 5, true, 2, TraceMap.NOBODYS);
+        map.add(6, 5, true, 2, TraceMap.OTHERS);
+        map.add(5, 6, true, 4, TraceMap.OTHERS);
+        map.add(5, 6, true, 9, TraceMap.OWN);
+        long known = map.around(5.5, 5.5, true);
         // part 9 is not wanted
         assertEquals(1 + 0.5 + 0.25, TraceMap.score(known, TraceMap.parts(0, 5), 0.5, 0.25), EXACT);
     }
