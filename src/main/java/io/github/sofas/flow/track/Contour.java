@@ -23,7 +23,7 @@ final class Contour {
     static final double REDRAWN_PX = 0.5;
     /** Share of the mean support that puts an event on the contour: one a pixel wide loses events to jitter. */
     private static final double SHARE = 0.25;
-    /** Share of the mean support below which it is doubtful whether an event is of the structure. */
+    /** Share of the mean close support below which it is doubtful whether an event is of the structure. */
     private static final double SURE_SHARE = 0.6;
     /** Live events that threshold, centre and radius are measured from. */
     private static final int SAMPLE = 256;
@@ -36,9 +36,9 @@ final class Contour {
     private final Frame frame = new Frame();
     private final SteppedProjection past = new SteppedProjection();
     private long fadedUs;
-    /** Cell of the event whose support was asked for last. */
-    private int lastX;
-    private int lastY;
+    /** Place in the frame of the event whose support was asked for last. */
+    private double lastX;
+    private double lastY;
 
     private int threshold;
     private double sureSupport;
@@ -84,7 +84,7 @@ final class Contour {
         return threshold;
     }
 
-    /** Support below which it is doubtful whether an event is of the structure. */
+    /** Close support below which it is doubtful whether an event is of the structure. */
     double sureSupport() {
         return sureSupport;
     }
@@ -106,9 +106,14 @@ final class Contour {
     /** Support of an event by the events of late around its cell. */
     int support(int x, int y, long timeUs, int polarity) {
         frame.advance(timeUs);
-        lastX = ContourCells.cell(frame.x(x, y));
-        lastY = ContourCells.cell(frame.y(x, y));
-        return cells.support(lastX, lastY, polarity);
+        lastX = frame.x(x, y);
+        lastY = frame.y(x, y);
+        return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), polarity);
+    }
+
+    /** Support by the cells nearest, of the event whose support was asked for last and that has any. */
+    int closeSupport(int polarity) {
+        return cells.closeSupport(ContourCells.firstOfTwo(lastX), ContourCells.firstOfTwo(lastY), polarity);
     }
 
     /**
@@ -127,7 +132,7 @@ final class Contour {
 
     /** Notes the event whose support was asked for last, as one of now. */
     void addLast(int polarity) {
-        cells.seeCell(lastX, lastY, polarity, 0);
+        cells.see(lastX, lastY, polarity, 0);
     }
 
     /** Lets go what is older than the lifetime. */
@@ -211,6 +216,7 @@ final class Contour {
     void measure(LiveEvents live, Motion along) {
         int n = 0;
         long support = 0;
+        long closeSupport = 0;
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
@@ -223,12 +229,16 @@ final class Contour {
             past.advance(live.timeUs[i]);
             double x = past.x(live.x[i], live.y[i]);
             double y = past.y(live.x[i], live.y[i]);
-            int cx = ContourCells.cell(frame.fromReferenceX(x, y));
-            int cy = ContourCells.cell(frame.fromReferenceY(x, y));
+            double inFrameX = frame.fromReferenceX(x, y);
+            double inFrameY = frame.fromReferenceY(x, y);
+            int cx = ContourCells.cell(inFrameX);
+            int cy = ContourCells.cell(inFrameY);
             if (!cells.isInBox(cx, cy)) {
                 continue;
             }
             support += cells.support(cx, cy, live.sign[i]);
+            closeSupport += cells.closeSupport(ContourCells.firstOfTwo(inFrameX), ContourCells.firstOfTwo(inFrameY),
+                live.sign[i]);
             sumX += x;
             sumY += y;
             squares += x * x + y * y;
@@ -239,7 +249,7 @@ final class Contour {
             return;
         }
         threshold = Math.max(LEAST_SUPPORT, (int) (SHARE * support / n));
-        sureSupport = SURE_SHARE * support / n;
+        sureSupport = SURE_SHARE * closeSupport / n;
         centreX = sumX / n;
         centreY = sumY / n;
         radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));

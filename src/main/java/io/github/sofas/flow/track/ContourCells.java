@@ -11,7 +11,8 @@ import java.util.Arrays;
  * <p>Ours: sixteenths count, not events, because what moves otherwise crosses a cell in a part of the lifetime, with as
  * many events as what belongs there brings in all of it. The 3 x 3 cells around an event support it; those of the other
  * polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge seldom fires both
- * ways, while what merely flickers does.
+ * ways, while what merely flickers does. Whose an event is, and whether it is doubtful, tell the four cells nearest:
+ * in a texture, there are edges of either polarity among nine cells wherever an event lies.
  */
 final class ContourCells {
     /** Cells around the sensor, for what leaves it between two anchorings of the frame. */
@@ -48,6 +49,11 @@ final class ContourCells {
     static int cell(double place) {
         // the cast rounds towards zero, so that the first cell is as wide as two: it holds nothing
         return (int) (place + (MARGIN + 0.5));
+    }
+
+    /** Column or row of the first of the two cells nearest to a place in the frame, one of which is its own. */
+    static int firstOfTwo(double place) {
+        return (int) (place + MARGIN);
     }
 
     private void forgetBox() {
@@ -96,10 +102,24 @@ final class ContourCells {
         if (!isInBox(cx, cy)) {
             return 0;
         }
-        int around = around(cy * width + cx);
-        int on = Integer.bitCount(around & ALL);
-        int off = Integer.bitCount(around >>> SIXTEENTHS);
+        return support(around(cy * width + cx), polarity);
+    }
+
+    private static int support(int sixteenths, int polarity) {
+        int on = Integer.bitCount(sixteenths & ALL);
+        int off = Integer.bitCount(sixteenths >>> SIXTEENTHS);
         return polarity > 0 ? 2 * on - off : 2 * off - on;
+    }
+
+    /**
+     * The same by the four cells nearest to an event, whose own cell lies in the box, so that the others exist.
+     *
+     * @param firstX the {@link #firstOfTwo} of its column, and firstY of its row
+     */
+    int closeSupport(int firstX, int firstY, int polarity) {
+        int c = firstY * width + firstX;
+        int down = c + width;
+        return support(seen[c] | seen[c + 1] | seen[down] | seen[down + 1], polarity);
     }
 
     /** The box keeps one cell from the grid's border, so that the neighbours exist. */
@@ -117,13 +137,8 @@ final class ContourCells {
      * @param age in sixteenths, 0 for an event of now; from 16 on it is none
      */
     void see(double x, double y, int polarity, int age) {
-        seeCell(cell(x), cell(y), polarity, age);
-    }
-
-    /** The same on a cell. */
-    void seeCell(int cx, int cy, int polarity, int age) {
         if (age < SIXTEENTHS) {
-            add(cx, cy, NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS));
+            add(cell(x), cell(y), NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS));
         }
     }
 

@@ -123,12 +123,17 @@ public final class TrackPlane {
         return contour.support(x, y, timeUs, polarity);
     }
 
+    /** Support by what is nearest, of the event whose support was asked for last and that has any. */
+    int closeSupport(int polarity) {
+        return contour.closeSupport(polarity);
+    }
+
     /** Least support that puts an event on the contour. */
     public int threshold() {
         return contour.threshold();
     }
 
-    /** Support below which it is doubtful whether an event belongs. */
+    /** Close support below which it is doubtful whether an event belongs. */
     double sureSupport() {
         return contour.sureSupport();
     }

@@ -16,15 +16,17 @@ import java.util.function.Consumer;
 /**
  * The structures that are tracked (paper, section Algorithm).
  *
- * <p>Ours: an event is not offered to the planes in turn but goes to the one that explains most of its past. In turn,
- * the older of two crossing structures would take the other's events.
+ * <p>Ours: an event is not offered to the planes in turn but goes to the one whose nearest cells explain most of its
+ * past. In turn, the older of two crossing structures would take the other's events.
  */
 public final class TrackPlaneStack {
     /** Most events that a track plane's motion is measured from. */
     public static final int MOST_MEASURED = LiveEvents.CAPACITY;
 
     private static final long CHECK_US = 5_000;
-    /** Support of the second best plane, as a share of the best, that hides the velocity: crossing objects pull. */
+    /** Close support decides whose an event is, and support by all cells around it where that is the same. */
+    private static final int CLOSE_WEIGHT = 4 * ContourCells.SIXTEENTHS;
+    /** Score of the second best plane, as a share of the best, that hides the velocity: crossing objects pull. */
     private static final double SHARED_SCORE = 0.5;
     /** Support below this many thresholds is weak. */
     private static final int WEAK = 2;
@@ -73,18 +75,24 @@ public final class TrackPlaneStack {
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         TrackPlane best = null;
-        int most = 0;
-        int second = 0;
+        int support = 0;
+        int closeSupport = 0;
+        int most = Integer.MIN_VALUE;
+        int second = Integer.MIN_VALUE;
         for (int k = 0; k < size; k++) {
             TrackPlane plane = planes[k];
-            int support = plane.support(x, y, timeUs, polarity);
-            if (support >= plane.threshold()) {
-                if (support > most) {
+            int its = plane.support(x, y, timeUs, polarity);
+            if (its >= plane.threshold()) {
+                int close = plane.closeSupport(polarity);
+                int score = close * CLOSE_WEIGHT + its;
+                if (score > most) {
                     second = most;
                     best = plane;
-                    most = support;
-                } else if (support > second) {
-                    second = support;
+                    most = score;
+                    support = its;
+                    closeSupport = close;
+                } else if (score > second) {
+                    second = score;
                 }
             }
         }
@@ -94,10 +102,10 @@ public final class TrackPlaneStack {
             best = remembering(x, y, timeUs);
             claim = Claim.REMEMBERED;
         } else {
-            boolean doubtful = most < best.sureSupport();
+            boolean doubtful = closeSupport < best.sureSupport();
             explained = !(doubts.note(x, y, doubtful) && doubtful);
             boolean isShared = second > SHARED_SCORE * most
-                || most < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
+                || support < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
             claim = isShared ? Claim.SHARED : Claim.OWN;
         }
         if (best == null) {

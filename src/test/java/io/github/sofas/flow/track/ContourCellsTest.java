@@ -45,6 +45,24 @@ public class ContourCellsTest {
     }
 
     @Test
+    public void closeSupportIsThatOfTheFourCellsNearest() {
+        cells.see(5, 3, 1, 0);
+        cells.see(5, 3, 1, 4);
+        cells.see(4, 3, -1, 2);
+        // columns 5 and 6, rows 3 and 4; then columns 4 and 5, where the one OFF sixteenth counts by half
+        assertEquals(2 * 2, closeSupport(5.4, 3.4, 1));
+        assertEquals(2 * 2 - 1, closeSupport(4.6, 2.6, 1));
+        assertEquals(2 - 2, closeSupport(4.4, 3, -1));
+        // columns 6 and 7: the nine cells around 6 have column 5
+        assertEquals(0, closeSupport(6.2, 3, 1));
+        assertEquals(2 * 2, support(6.2, 3, 1));
+    }
+
+    private int closeSupport(double x, double y, int polarity) {
+        return cells.closeSupport(ContourCells.firstOfTwo(x), ContourCells.firstOfTwo(y), polarity);
+    }
+
+    @Test
     public void supportIsAtMostThatOfAllSixteenths() {
         for (int age = 0; age < 20; age++) {
             cells.see(5, 3, -1, age);

@@ -98,6 +98,31 @@ public class TrackPlaneStackTest {
         assertEquals(100, output.vxPxPerS[0], 3);
     }
 
+    @Test
+    public void eventGoesToThePlaneWhoseEdgeIsNearest() {
+        // after 3 ms an event of column 40 is at 39.7 of the first plane, whose edge, seen in five sixteenths, is at 41
+        begin(41, 30, 100, 1);
+        // and at 40.3 of the second, whose edge, seen in three, is at 40
+        begin(40, 30, -100, 1, 3);
+        nowUs += 3_000;
+        assertEquals(2, label(40, 45));
+    }
+
+    @Test
+    public void ofPlanesAsNearOneWithMoreAroundGetsTheEvent() {
+        // of both planes three sixteenths are near; of the second, where the event is at 39.7, two more were seen at 41
+        begin(40, 30, -100, 1, 3);
+        TrackPlane plane = stack.create(nowUs, 100, 0);
+        for (int c = COLUMNS - 1; c >= 0; c--) {
+            for (int y = 0; y < ROWS; y++) {
+                plane.addPast((c < 3 ? 40 : 41) - c, 30 + y, nowUs - c * 10_000, 1);
+            }
+        }
+        stack.begin(plane, nowUs);
+        nowUs += 3_000;
+        assertEquals(2, label(40, 45));
+    }
+
     /**
      * An edge of which five columns were seen, each in another sixteenth, so that its support is 10; and nine dots on
      * the tile of 8 px at (80, 32), so far apart that none supports another, that were seen twice: 4, less than 0.6 of
