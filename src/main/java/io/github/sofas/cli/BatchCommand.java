@@ -206,7 +206,7 @@ final class BatchCommand implements Callable<Integer> {
         if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
             throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
         }
-        lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions.parameters());
+        lookAhead.ofRecording(methodOptions.choice(parameterOptions), parameterOptions.parameters());
         return List.copyOf(options);
     }
 

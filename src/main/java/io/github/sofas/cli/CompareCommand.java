@@ -46,7 +46,8 @@ import picocli.CommandLine.Spec;
         "The three filters get the same packets, each in its own jAER with default settings, except that measuring of "
         + "accuracy is off. With --truth: the accuracy of each, as 'evaluate' gives it. Without: the agreement of "
         + "each pair. jAER needs a display; if there is none, Xvfb is used.",
-        "Filters in jAER label events as they come; --look-ahead is for 'sofas run', which is compared with them."},
+        "Filters in jAER label events as they come; 'sofas run', which is compared with them, looks ahead unless "
+        + "--causal is given."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:compared", "1:the recording is damaged, or jAER or the truth cannot be used", "2:wrong usage"})
 final class CompareCommand implements Callable<Integer> {
@@ -134,10 +135,10 @@ final class CompareCommand implements Callable<Integer> {
         return Main.FAILED;
     }
 
-    /** What labels the events outside of jAER: with look-ahead where that is asked for. */
+    /** What labels the events outside of jAER: as 'run' does, with look-ahead unless other is asked for. */
     private MethodChoice ownMethod() {
         SofasParameters parameters = SofasParameters.defaults();
-        return lookAhead.applyTo(new MethodChoice(MethodOptions.Method.SOFAS.toString(), "default", Map.of(),
+        return lookAhead.ofRecording(new MethodChoice(MethodOptions.Method.SOFAS.toString(), "default", Map.of(),
             (sensor, ended) -> new Sofas(sensor, parameters, ended)), parameters);
     }
 

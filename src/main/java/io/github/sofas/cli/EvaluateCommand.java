@@ -89,7 +89,8 @@ final class EvaluateCommand implements Callable<Integer> {
         if (results != null) {
             methodOptions.refuseLabelling("--results");
         }
-        MethodChoice asked = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions.parameters());
+        MethodChoice asked = lookAhead.ofRecording(methodOptions.choice(parameterOptions),
+            parameterOptions.parameters());
         EvaluationOptions options = options();
         Path recording = recording();
         checkFiles(recording);

@@ -10,22 +10,28 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Whether labels know what comes after an event. Goes with {@link MethodOptions}. */
+/**
+ * Whether labels know what comes after an event: those of recordings do, unless other is said. Goes with
+ * {@link MethodOptions}.
+ */
 final class LookAheadOptions {
     /** The name of the parameter in results. */
     static final String PARAMETER = RunSummary.LOOK_AHEAD;
+    /** That of recordings of which nothing else is asked, in ms. */
+    static final int DEFAULT_MS = 200;
     private static final int US_PER_MS = 1000;
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
     @Option(names = "--look-ahead", paramLabel = "MS",
-        description = "Label each event by what comes up to MS ms after it, too, 4 to 10000; 200 serves well. "
-            + "Velocities do not lag, and events from before a structure was found are labelled.")
+        description = "Label each event by what comes up to MS ms after it, too, 4 to 10000: velocities do not lag, "
+            + "and events from before a structure was found are labelled. Default: " + DEFAULT_MS + " for recordings "
+            + "that SOFAS labels with its default preset; none in 'experiments'.")
     private Integer lookAheadMs;
 
     @Option(names = "--causal", description = "Label each event by what came before it only, as a camera gets its "
-        + "labels; the default.")
+        + "labels, in a half to a third of the processor time.")
     private boolean causal;
 
     /** Whether there is to be a look-ahead. */
@@ -34,11 +40,20 @@ final class LookAheadOptions {
     }
 
     /**
-     * A method with the look-ahead that was asked for.
+     * A method for a recording: with the look-ahead that was asked for, or with the default one where nothing was and
+     * the method has it.
      *
      * @param parameters those of the method where it is SOFAS
      * @throws ParameterException where the method has none, or the look-ahead is outside its range or not wanted
      */
+    MethodChoice ofRecording(MethodChoice method, SofasParameters parameters) {
+        boolean isDefault = lookAheadMs == null && !causal && isSofas(method)
+            && parameters.preset() == SofasParameters.Preset.DEFAULT;
+        return isDefault ? withLookAhead(method, parameters, "--look-ahead", DEFAULT_MS, command)
+            : applyTo(method, parameters);
+    }
+
+    /** A method with the look-ahead that was asked for, and none where none was. */
     MethodChoice applyTo(MethodChoice method, SofasParameters parameters) {
         if (lookAheadMs == null) {
             return method;
@@ -49,10 +64,14 @@ final class LookAheadOptions {
         return withLookAhead(method, parameters, "--look-ahead", lookAheadMs, command);
     }
 
+    private static boolean isSofas(MethodChoice method) {
+        return method.method().equals(MethodOptions.Method.SOFAS.toString());
+    }
+
     /** The same, of any option. */
     static MethodChoice withLookAhead(MethodChoice method, SofasParameters parameters, String option, int ms,
                                       CommandSpec command) {
-        if (!method.method().equals(MethodOptions.Method.SOFAS.toString())) {
+        if (!isSofas(method)) {
             throw new ParameterException(command.commandLine(), option + " needs --method sofas but was used with "
                 + method.method());
         }

@@ -225,7 +225,10 @@ final class RenderCommand implements Callable<Integer> {
             throw usage("--panels contours cannot be combined with --look-ahead: track planes are those of the newest "
                 + "event");
         }
-        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions.parameters());
+        MethodChoice asked = methodOptions.choice(parameterOptions);
+        MethodChoice method = shown.panels.contains(Panel.CONTOURS)
+            ? lookAhead.applyTo(asked, parameterOptions.parameters())
+            : lookAhead.ofRecording(asked, parameterOptions.parameters());
         if (!method.method().equals("sofas") && shown.panels.contains(Panel.CONTOURS)) {
             throw usage("--panels contours needs --method sofas but was used with " + method.method());
         }

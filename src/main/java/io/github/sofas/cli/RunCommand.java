@@ -194,7 +194,8 @@ final class RunCommand implements Callable<Integer> {
     /** The runs of recordings, by the name of their results. */
     List<RecordingRun> runs(Map<String, Path> named) {
         RecordingOptions options = reading.recordingOptions();
-        MethodChoice method = lookAhead.applyTo(methodOptions.choice(parameterOptions), parameterOptions.parameters());
+        MethodChoice method = lookAhead.ofRecording(methodOptions.choice(parameterOptions),
+            parameterOptions.parameters());
         String reported = report ? typed() : null;
         List<RecordingRun> runs = new ArrayList<>();
         named.forEach((name, recording) ->

@@ -160,7 +160,7 @@ public class LiveCommandTest {
         RecordingRun.Outcome outcome = label(FakeTransport.davis240c(), false, recording);
         assertEquals(25_074, outcome.summary().recording().events());
         assertTrue("both movers are found", outcome.summary().eventsWithFlow() > 15_000);
-        assertSameAsAFileRun(recording);
+        assertSameAsAFileRun(recording, "--causal");
     }
 
     @Test
@@ -169,7 +169,7 @@ public class LiveCommandTest {
         RecordingRun.Outcome outcome = label(FakeTransport.davis240c(), true, recording);
         assertEquals("[DAVIS240C 00000042] the camera was unplugged", outcome.damage().getMessage());
         assertEquals(25_074, outcome.summary().recording().events());
-        assertSameAsAFileRun(recording);
+        assertSameAsAFileRun(recording, "--causal");
     }
 
     @Test

@@ -473,7 +473,8 @@ public class RunCommandTest {
     public void givesResultsOfEveryEventBeforeTheDamage() throws IOException {
         // 247 bytes of header and 10,000 records are whole; 3 bytes of the next one are left.
         Path cut = cut(HEXAGON, HEXAGON_EVENTS, 10_000, 3, root.resolve("cut.aedat"));
-        Executed run = run(cut);
+        // what comes later would change the labels of the last
+        Executed run = run("--causal", cut);
         assertEquals(1, run.exitCode);
         String message = "[cut.aedat] event 10000 at byte 80247: truncated, a record must have 8 bytes but had 3";
         assertEquals(message, run.errLines().get(0));
@@ -484,7 +485,7 @@ public class RunCommandTest {
         assertEquals(results("cut"), filesIn(out));
         assertHas(Files.readString(out.resolve("cut.summary.json")), "\"complete\" : false,\n    \"faults\" : [\n"
             + "      \"" + message + "\"\n    ],\n");
-        assertEquals(0, run(HEXAGON).exitCode);
+        assertEquals(0, run("--causal", HEXAGON).exitCode);
         assertEquals(Files.readAllLines(out.resolve("hexagon.flow.csv")).subList(0, 10_001),
             Files.readAllLines(out.resolve("cut.flow.csv")));
     }
@@ -556,7 +557,7 @@ public class RunCommandTest {
 
     @Test
     public void lookAheadLabelsMoreOfTheSameEventsAndSaysSo() throws IOException {
-        assertEquals(0, run(HEXAGON).exitCode);
+        assertEquals(0, run("--causal", HEXAGON).exitCode);
         Path ahead = root.resolve("ahead");
         assertEquals(0, runTo(ahead, "--look-ahead", 200, HEXAGON).exitCode);
         List<String> causalRows = Files.readAllLines(out.resolve("hexagon.flow.csv"));
@@ -572,14 +573,33 @@ public class RunCommandTest {
     }
 
     @Test
-    public void causalLabelsAreTheDefault() throws IOException {
+    public void recordingsAreLabelledWithLookAheadByDefault() throws IOException {
         assertEquals(0, run(HEXAGON).exitCode);
-        Path causal = root.resolve("causal");
-        assertEquals(0, runTo(causal, "--causal", HEXAGON).exitCode);
-        assertArrayEquals(Files.readAllBytes(out.resolve("hexagon.flow.csv")),
-            Files.readAllBytes(causal.resolve("hexagon.flow.csv")));
+        Path ahead = root.resolve("ahead");
+        assertEquals(0, runTo(ahead, "--look-ahead", 200, HEXAGON).exitCode);
+        assertArrayEquals(Files.readAllBytes(ahead.resolve("hexagon.flow.csv")),
+            Files.readAllBytes(out.resolve("hexagon.flow.csv")));
         assertTrue(run("--causal", "--look-ahead", 100, HEXAGON).err
             .contains("--causal cannot be combined with --look-ahead"));
+    }
+
+    @Test
+    public void whatHasNoLookAheadIsLabelledAsItComes() throws IOException {
+        for (String[] method : new String[][] {{"--preset", "paper"}, {"--method", "local-planes"}}) {
+            Path where = root.resolve(method[1]);
+            assertEquals(0, runTo(where, method[0], method[1], HEXAGON).exitCode);
+            assertHas(Files.readString(where.resolve("hexagon.summary.json")), "\"causal\" : true");
+        }
+    }
+
+    @Test
+    public void lookAheadGivesBackEveryEventBeforeTheDamage() throws IOException {
+        Path cut = cut(HEXAGON, HEXAGON_EVENTS, 10_000, 3, root.resolve("cut.aedat"));
+        for (int threads = 1; threads <= 3; threads++) {
+            Path where = root.resolve("threads" + threads);
+            assertEquals(1, runTo(where, "--look-ahead", 100, "--threads", threads, cut).exitCode);
+            assertEquals(10_001, Files.readAllLines(where.resolve("cut.flow.csv")).size());
+        }
     }
 
     private static List<String> eventsOf(List<String> rows) {
