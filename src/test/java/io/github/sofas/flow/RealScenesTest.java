@@ -162,4 +162,21 @@ public class RealScenesTest {
             assertEquals("lower row at " + timeS, trueLower, medianVx(lower), -0.2 * trueLower);
         }
     }
+
+    @Test
+    public void richTextureIsFoundWithinFourPixelsOfTravel() throws Exception {
+        // best single translations of the whole recordings, from their README; the camera turns a little as well
+        assertFoundAtOnce("boxes-rotation-5ms.txt", -760, 723);
+        assertFoundAtOnce("poster-translation-11ms.txt", -219, 402);
+    }
+
+    private void assertFoundAtOnce(String name, double vx, double vy) throws Exception {
+        labelled.clear();
+        run(name, "DAVIS240C");
+        double speed = Math.hypot(vx, vy);
+        double travelPx = labelled.get(0).timeS * speed;
+        assertTrue(name + " found after " + travelPx + " px", travelPx < 4);
+        double off = Math.hypot(medianVx(labelled) - vx, medianVy(labelled) - vy);
+        assertTrue(name + " is off by " + off + " px/s", off < 0.15 * speed);
+    }
 }

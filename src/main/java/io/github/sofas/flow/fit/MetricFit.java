@@ -80,8 +80,13 @@ public final class MetricFit {
 
     /** Metric of the events as they were projected; 0 of none. */
     public double metric() {
+        return metric(0, 0);
+    }
+
+    /** Metric of the events moved back by velocity (vx, vy); 0 of none. */
+    public double metric(double vx, double vy) {
         metric.lay();
-        return metric.size() == 0 ? 0 : metric.atVelocity(0, 0);
+        return metric.size() == 0 ? 0 : metric.atVelocity(vx, vy);
     }
 
     /** Sets an upright frame of projections with equal distances in px/s. */

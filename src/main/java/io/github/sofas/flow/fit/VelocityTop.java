@@ -88,8 +88,18 @@ public final class VelocityTop {
 
     /** Loss of metric per (px/s)² along the best known direction. */
     public double bestLoss() {
+        return (lossXx + lossYy) / 2 + unevenness();
+    }
+
+    /** Loss of metric per (px/s)² along the direction that is known least. */
+    public double leastLoss() {
+        return (lossXx + lossYy) / 2 - unevenness();
+    }
+
+    /** Half of what the losses along the two axes differ by. */
+    private double unevenness() {
         double dif = (lossXx - lossYy) / 2;
-        return (lossXx + lossYy) / 2 + Math.sqrt(dif * dif + lossXy * lossXy);
+        return Math.sqrt(dif * dif + lossXy * lossXy);
     }
 
     /** Direction in which the velocity is known best, x of a unit vector. */

@@ -10,8 +10,9 @@ import io.github.sofas.flow.fit.VelocityTop;
  *
  * <p>Ours, because sliding an edge along itself at any speed is rewarded while counts are small: a piece is a structure
  * only when it has travelled enough to be distinguished from one that stands still, and meets itself often enough; and
- * of velocities that are about as good the slowest is taken. Most pieces are none, and are given up as early as they
- * show it: many have not travelled enough yet, and are sharper at rest than along their projection.
+ * of velocities that are about as good the slowest is taken. Texture shows its velocity along both axes, and by so many
+ * events that little travel shows it: it only has to pass rest by more than chance. Most pieces are none, and are given
+ * up as early as they show it: many have not travelled enough yet, and are sharper at rest than along their projection.
  */
 final class PieceRefinement {
     private static final int MOST_FITS = 8;
@@ -24,6 +25,18 @@ final class PieceRefinement {
      * and have 1 after the third.
      */
     private static final double[] HOPELESS = {0.4, 0.55, 0.75};
+    /**
+     * Standard deviations by which the metric passes that at rest where a piece may yet show its velocity, and where it
+     * does: a metric of m has one of sqrt(m). Ours, because many events show in 3 px of travel what few show in 6.
+     */
+    private static final double HOPEFUL_SIGMAS = 3;
+    private static final double SHOWN_SIGMAS = 10;
+    /** Standard deviations that a shift of both ends of the window by a pixel loses at least, in any direction. */
+    private static final double KNOWN_SIGMAS = 1;
+    /** Metric per event of what shows its velocity, at least. */
+    private static final double LEAST_DENSITY = 0.7;
+    /** Longest window of what shows its velocity by many events: over more, a swing to and fro looks like a drift. */
+    private static final double SHOWN_WITHIN_S = 0.2;
 
     private enum Stage { BEST, SLOWEST, OVER }
 
@@ -34,6 +47,8 @@ final class PieceRefinement {
     /** Events of the piece, of which a sample is fitted. */
     private int size;
     private double window;
+    /** Metric of the events where they are. */
+    private double atRest;
     private double vx;
     private double vy;
     /** Fits of this climb so far. */
@@ -117,16 +132,20 @@ final class PieceRefinement {
 
     /** Makes the next fit. */
     void step() {
-        if (fits == 0 && stage == Stage.BEST && fit.isSharperAtRest(vx, vy)) {
-            stage = Stage.OVER;
-            return;
+        if (fits == 0 && stage == Stage.BEST) {
+            atRest = fit.metric();
+            if (fit.metric(vx, vy) < atRest) {
+                stage = Stage.OVER;
+                return;
+            }
         }
         VelocityTop top = fits == 0 ? fit.fit(vx, vy, MetricFit.FLAT_SIGMAS)
             : fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
         vx += top.stepX();
         vy += top.stepY();
         fits++;
-        if (stage == Stage.BEST && fits <= HOPELESS.length && density(top) < HOPELESS[fits - 1] * p.evidence()) {
+        if (stage == Stage.BEST && fits <= HOPELESS.length && density(top) < HOPELESS[fits - 1] * p.evidence()
+                && sigmasOverRest(top) < HOPEFUL_SIGMAS) {
             stage = Stage.OVER;
         } else if (fits == MOST_FITS || fits >= 3 && top.steps() < 0.3) {
             arrive(top);
@@ -162,12 +181,27 @@ final class PieceRefinement {
         }
     }
 
-    /** Whether what was fitted last has travelled enough, and meets itself enough. */
+    /** Whether what was fitted last is a structure, and not what chance or an edge along itself would give. */
     private boolean isEvident(VelocityTop top) {
+        return hasTravelled(top) && density(top) >= p.evidence() || isShown(top);
+    }
+
+    /** Whether what was fitted last has travelled enough to be distinguished from what stands still. */
+    private boolean hasTravelled(VelocityTop top) {
         // travel counts where it is seen: in the directions that would lose by standing still
         double loss = top.lossXx() * vx * vx + 2 * top.lossXy() * vx * vy + top.lossYy() * vy * vy;
         double travelPx = Math.sqrt(Math.max(0, loss / top.bestLoss())) * window;
-        return travelPx > 0.6 * Projections.TRAVEL_PX && density(top) >= p.evidence();
+        return travelPx > 0.6 * Projections.TRAVEL_PX;
+    }
+
+    /** Whether the velocity passes rest by more than chance, and is known along both axes. */
+    private boolean isShown(VelocityTop top) {
+        return window < SHOWN_WITHIN_S && sigmasOverRest(top) > SHOWN_SIGMAS && density(top) > LEAST_DENSITY
+            && top.leastLoss() * px() * px() > KNOWN_SIGMAS * Math.sqrt(top.metric());
+    }
+
+    private double sigmasOverRest(VelocityTop top) {
+        return (top.metric() - Math.max(0, atRest)) / Math.sqrt(Math.max(1, top.metric()));
     }
 
     /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */

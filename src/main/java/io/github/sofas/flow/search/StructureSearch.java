@@ -19,7 +19,7 @@ public final class StructureSearch {
     private static final int EVERY_CELLS = 512;
     /** Standard deviations by which a metric must pass what chance gives. */
     private static final double CHANCE_SIGMAS = 6;
-    /** Share of its events that a piece must not have been looked at with before, in vain. */
+    /** Share of its events that a piece must have that were not looked at in vain before, and that no structure has. */
     private static final double NEWS = 0.25;
     /** Votes of the flow plane, and cells looked through, that cost as much as one vote of a fit. */
     private static final int CHEAP_VOTES = 2;
@@ -39,6 +39,7 @@ public final class StructureSearch {
     private final Pieces pieces;
     private final PieceRefinement refinement;
     private final Surroundings surroundings;
+    private final SpreadingTextures spreading = new SpreadingTextures();
     private final MetricFit fit;
     private final Structures structures;
     private final VoteBudget budget;
@@ -56,7 +57,7 @@ public final class StructureSearch {
     private int from;
     private int size;
 
-    // events of a new structure that are to be taken out of the rings, and of how many they are
+    // events that a structure has got and that are to be taken out of the rings, and of how many they are
     private int[] taken = new int[4096];
     private int takenSize;
     private int rings;
@@ -109,7 +110,7 @@ public final class StructureSearch {
 
     /** Whether a look is under way or due. */
     private boolean isBusy() {
-        return stage != Stage.IDLE || plane.total() >= nextLook;
+        return stage != Stage.IDLE || plane.total() >= nextLook || spreading.isAnyDue(plane.recent().newestUs());
     }
 
     private void work() {
@@ -130,6 +131,9 @@ public final class StructureSearch {
 
     /** Begins to look at the best projection, if there is one. */
     private void look() {
+        if (spreadsOn() || plane.total() < nextLook) {
+            return;
+        }
         nextLook = plane.total() + every;
         int best = structures.isFull() ? -1 : best();
         if (best >= 0) {
@@ -206,11 +210,12 @@ public final class StructureSearch {
         }
     }
 
-    /** Whether enough of the piece was not looked at in vain before. */
+    /** Whether enough of the piece was not looked at in vain before, and is not of another structure by now. */
     private boolean isNews() {
         int old = 0;
         for (int a = from; a < from + size; a++) {
-            if (events.wasRefused(projection / n, pieces.events()[a])) {
+            int e = pieces.events()[a];
+            if (events.wasRefused(projection / n, e) || events.isTakenOut(e)) {
                 old++;
             }
         }
@@ -230,9 +235,7 @@ public final class StructureSearch {
                 refuse();
             } else if (size >= p.minEvents() && !structures.isFull()) {
                 track();
-                found = true;
-                rings = 0;
-                stage = Stage.TAKING_OUT;
+                beginToTakeOut();
             }
         }
     }
@@ -248,7 +251,6 @@ public final class StructureSearch {
         if (!(pieces.isTexture(piece) || plane.isThinned()) || !trackWithSurroundings()) {
             trackPiece();
         }
-        budget.spend((long) takenSize * n);
     }
 
     private void trackPiece() {
@@ -282,12 +284,39 @@ public final class StructureSearch {
         Structures.Structure structure = structures.create(nowUs, refinement.vx(), refinement.vy());
         surroundings.hand(structure);
         structure.begin(nowUs);
+        spreading.add(structure, nowUs);
+        takeSurroundings();
+        return true;
+    }
+
+    /** Lets a structure that is due begin to take over what moves alike around it by now; returns whether any does. */
+    private boolean spreadsOn() {
+        long nowUs = plane.recent().newestUs();
+        Structures.Structure structure = spreading.due(nowUs);
+        if (structure == null) {
+            return false;
+        }
+        long before = fit.votes();
+        surroundings.begin(structure, nowUs);
+        surroundings.spreadAround(p.minEvents());
+        budget.spend(fit.votes() - before);
+        if (!surroundings.isAny()) {
+            return false;
+        }
+        takenSize = 0;
+        surroundings.hand(structure);
+        takeSurroundings();
+        beginToTakeOut();
+        return true;
+    }
+
+    /** Takes what a structure has taken over with its surroundings out of the rings. */
+    private void takeSurroundings() {
         for (int e = events.first(); e != events.head(); e++) {
             if (!events.isTakenOut(e) && surroundings.has(events.x(e), events.y(e), events.timeUs(e))) {
                 take(e);
             }
         }
-        return true;
     }
 
     private void hand(int event, Structures.Structure structure) {
@@ -302,7 +331,14 @@ public final class StructureSearch {
         taken[takenSize++] = event;
     }
 
-    /** Takes the events of a new structure out of the next ring. */
+    private void beginToTakeOut() {
+        budget.spend((long) takenSize * n);
+        found = true;
+        rings = 0;
+        stage = Stage.TAKING_OUT;
+    }
+
+    /** Takes the events that a structure has got out of the next ring. */
     private void takeOut() {
         plane.takeOut(rings, taken, takenSize);
         budget.spend((long) takenSize * n / CHEAP_VOTES);
@@ -318,5 +354,6 @@ public final class StructureSearch {
         stage = Stage.IDLE;
         nextLook = 0;
         budget.clear();
+        spreading.clear();
     }
 }

@@ -18,5 +18,23 @@ public interface Structures {
 
         /** Whether it expects an event, once it is tracked. */
         boolean expects(int x, int y, long timeUs, int polarity);
+
+        /** Whether it is tracked yet, and not as a part of another. */
+        boolean isTracked();
+
+        /** Speed of its contour in px/s, root of the mean square. */
+        double speed();
+
+        /** Velocity to the right that it has, or would have, at a place of the sensor, in px/s. */
+        double vxAt(int x, int y, long timeUs);
+
+        /** The same, downwards. */
+        double vyAt(int x, int y, long timeUs);
+
+        /** Whether a place of the sensor lies in its box, or beside it by so many px at most. */
+        boolean isAround(int x, int y, double marginPx, long nowUs);
+
+        /** Notes an event of the past on its contour, once it is tracked. */
+        void see(int x, int y, long timeUs, int polarity, long nowUs);
     }
 }

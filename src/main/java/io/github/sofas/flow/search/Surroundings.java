@@ -16,6 +16,7 @@ import java.util.Arrays;
 final class Surroundings {
     /** Tiles have sides of 2^this px, where the structure is now. */
     private static final int TILE_BITS = 5;
+    private static final int SIDE_PX = 1 << TILE_BITS;
     /** Tiles around the sensor, for what has left it. */
     private static final int BORDER = 1;
     /** Travel over which tiles are asked, in px: as little as shows a velocity. */
@@ -51,7 +52,8 @@ final class Surroundings {
     private final int[] sorted;
     private int queued;
 
-    // the structure
+    // the structure: one that is tracked, or null and the velocity of a new one
+    private Structures.Structure tracked;
     private double vx;
     private double vy;
     private long nowUs;
@@ -79,23 +81,51 @@ final class Surroundings {
             + (1 + 2L * Integer.BYTES) * side(sensor.width()) * side(sensor.height());
     }
 
-    /** Begins with the velocity of a structure in px/s; places of it are to be added, then to be spread from. */
+    /** Begins with the velocity of a new structure in px/s; places of it are to be added, then to be spread from. */
     void begin(double structureVx, double structureVy, long atUs) {
         vx = structureVx;
         vy = structureVy;
+        tracked = null;
+        begin(Math.sqrt(vx * vx + vy * vy), atUs);
+    }
+
+    /** Begins with a structure that is tracked, and moves. */
+    void begin(Structures.Structure structure, long atUs) {
+        tracked = structure;
+        begin(structure.speed(), atUs);
+    }
+
+    private void begin(double speed, long atUs) {
         nowUs = atUs;
-        window = TRAVEL_PX / Math.sqrt(vx * vx + vy * vy);
+        window = TRAVEL_PX / speed;
         first = events.first(nowUs - (long) (window * 1e6));
         queued = 0;
         Arrays.fill(state, UNKNOWN);
         Arrays.fill(starts, 0);
     }
 
+    /** Velocity to the right that the structure has, or would have, at a place of the sensor. */
+    private double vxAt(int x, int y, long timeUs) {
+        return tracked == null ? vx : tracked.vxAt(x, y, timeUs);
+    }
+
+    private double vyAt(int x, int y, long timeUs) {
+        return tracked == null ? vy : tracked.vyAt(x, y, timeUs);
+    }
+
+    private int centreX(int tile) {
+        return (tile % columns - BORDER << TILE_BITS) + SIDE_PX / 2;
+    }
+
+    private int centreY(int tile) {
+        return (tile / columns - BORDER << TILE_BITS) + SIDE_PX / 2;
+    }
+
     /** Tile that an event lies on as the structure is now, or would if it were of it; -1 far off the sensor. */
     private int tile(int x, int y, long timeUs) {
         double dt = (nowUs - timeUs) * 1e-6;
-        int column = ((int) (x + vx * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
-        int row = ((int) (y + vy * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
+        int column = ((int) (x + vxAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
+        int row = ((int) (y + vyAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
         return column < 0 || row < 0 || column >= columns || row >= rows ? -1 : row * columns + column;
     }
 
@@ -118,6 +148,26 @@ final class Surroundings {
      */
     void spread(int fewest) {
         sort();
+        spreadOn(fewest);
+    }
+
+    /**
+     * Finds the tiles that move alike in the box of the structure that is tracked, and around it.
+     *
+     * @param fewest events of a tile that is asked
+     */
+    void spreadAround(int fewest) {
+        sort();
+        for (int tile = 0; tile < state.length; tile++) {
+            if (starts[tile + 1] - starts[tile] >= fewest
+                    && tracked.isAround(centreX(tile), centreY(tile), SIDE_PX, nowUs)) {
+                enqueue(tile);
+            }
+        }
+        spreadOn(fewest);
+    }
+
+    private void spreadOn(int fewest) {
         for (int next = 0; next < queued; next++) {
             int tile = queue[next];
             if (starts[tile + 1] - starts[tile] >= fewest && isAlike(tile)) {
@@ -172,12 +222,14 @@ final class Surroundings {
             int e = sorted[from + (int) ((long) a * size / want)];
             fit.add(events.x(e), events.y(e), (events.timeUs(e) - middleUs) * 1e-6f, 0, 0, events.sign(e));
         }
-        if (fit.isSharperAtRest(vx, vy)) {
+        double tileVx = vxAt(centreX(tile), centreY(tile), nowUs);
+        double tileVy = vyAt(centreX(tile), centreY(tile), nowUs);
+        if (fit.isSharperAtRest(tileVx, tileVy)) {
             return false;
         }
         double px = 2 / window;
         fit.frame(STEP_PX * px);
-        VelocityTop top = fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
+        VelocityTop top = fit.fitCross(tileVx, tileVy, MetricFit.FLAT_SIGMAS);
         // in a sample events meet by so much less
         double density = top.metric() / want * size / want;
         return density >= LEAST_DENSITY && top.steps() * STEP_PX < NEAR_PX
@@ -205,7 +257,11 @@ final class Surroundings {
         for (int e = first; e != events.head(); e++) {
             int tile = free(e);
             if (tile >= 0 && state[tile] == ALIKE) {
-                structure.addPast(events.x(e), events.y(e), events.timeUs(e), events.sign(e));
+                if (tracked == null) {
+                    structure.addPast(events.x(e), events.y(e), events.timeUs(e), events.sign(e));
+                } else {
+                    structure.see(events.x(e), events.y(e), events.timeUs(e), events.sign(e), nowUs);
+                }
                 events.take(e);
             }
         }

@@ -118,6 +118,11 @@ public final class TrackPlane {
         return motion;
     }
 
+    /** Speed of its contour in px/s, root of the mean square. */
+    public double speed() {
+        return motion.speed(contour.radius());
+    }
+
     /** Support of an event by the contour; at least {@link #threshold} where it belongs. */
     public int support(int x, int y, long timeUs, int polarity) {
         return contour.support(x, y, timeUs, polarity);
@@ -153,6 +158,18 @@ public final class TrackPlane {
         live.add(x, y, timeUs, polarity, Claim.OWN, memory.see(x, y, timeUs));
     }
 
+    /** Notes an event of the past on the contour of a structure that is tracked, as one where more are to come. */
+    public void see(int x, int y, long timeUs, int polarity, long nowUs) {
+        contour.add(x, y, timeUs, polarity, nowUs - timeUs, lifetimeUs);
+        memory.see(x, y, timeUs);
+    }
+
+    /** Whether a place of the sensor lies in the box of the contour, or beside it by so many px at most. */
+    public boolean isAround(int x, int y, double marginPx, long nowUs) {
+        return !contour.isEmpty() && x >= contour.left(nowUs) - marginPx && x <= contour.right(nowUs) + marginPx
+            && y >= contour.top(nowUs) - marginPx && y <= contour.bottom(nowUs) + marginPx;
+    }
+
     /**
      * Takes the event whose support was asked for last, which lies on the contour or where it is remembered, and
      * measures the motion when enough have come.
@@ -178,7 +195,7 @@ public final class TrackPlane {
 
     /** Time in which the structure travels the lifetime's pixels, from a stand too if it speeds up. */
     private long lifetime() {
-        double speed = motion.speed(contour.radius());
+        double speed = speed();
         double spin = motion.alpha * contour.radius();
         double gained = Math.sqrt(motion.ax * motion.ax + motion.ay * motion.ay + spin * spin)
             * measurement.lifetimePx() / 2;
@@ -302,7 +319,7 @@ public final class TrackPlane {
 
     /** Time in which the structure travels the pixels that it remembers its contour for. */
     private long memoryUs() {
-        return (long) Math.min(MAX_MEMORY_US, p.memoryPx() / Math.max(motion.speed(contour.radius()), 1e-3) * 1e6);
+        return (long) Math.min(MAX_MEMORY_US, p.memoryPx() / Math.max(speed(), 1e-3) * 1e6);
     }
 
     /**

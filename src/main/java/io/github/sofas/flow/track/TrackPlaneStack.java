@@ -201,6 +201,16 @@ public final class TrackPlaneStack {
         return size == planes.length;
     }
 
+    /** Whether a plane is one of those that are tracked. */
+    public boolean tracks(TrackPlane plane) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i] == plane) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
     public TrackPlane create(long nowUs, double vx, double vy) {
         TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured)

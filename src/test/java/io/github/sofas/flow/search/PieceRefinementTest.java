@@ -103,17 +103,47 @@ public class PieceRefinementTest {
 
     @Test
     public void hopelessPieceIsGivenUpAfterTheFirstFit() {
-        // an edge each pixel of which fires once meets itself some five times an event, a tenth of what is asked for
+        // four px apart no event meets another, at rest or along any velocity near
+        List<Event> apart = new ArrayList<>();
+        for (int i = 0; i < 100; i++) {
+            apart.add(new Event(i % 10 * 4, i / 10 * 4, i * 1000L, 1));
+        }
         long before = fit.votes();
-        assertFalse(refined(P.with("evidence", 100), edge(10), 100, 0).isStructure());
-        // two metrics to tell it from rest and nine of the fit, of 300 events on two grids
-        assertEquals(11 * 2 * 300, fit.votes() - before);
+        assertFalse(refined(P, apart, 2, 0).isStructure());
+        // two metrics to tell it from rest and nine of the fit, of 100 events on two grids
+        assertEquals(11 * 2 * 100, fit.votes() - before);
     }
 
     @Test
-    public void whatMeetsItselfTooSeldomIsNone() {
-        assertTrue(refined(P, corner(12), 80, 120).isStructure());
-        assertFalse(refined(P.with("evidence", 1000), corner(12), 80, 120).isStructure());
+    public void edgeThatMeetsItselfTooSeldomIsNone() {
+        assertTrue(refined(P, edge(8), 100, 0).isStructure());
+        assertFalse(refined(P.with("evidence", 1000), edge(8), 100, 0).isStructure());
+    }
+
+    @Test
+    public void textureIsFoundAfterLessTravelThanAnEdge() {
+        // 100 dots that fire once per px, over 3 px: each event meets the three others of its dot, 3 * 400 in all, some
+        // 30 standard deviations more than at rest, where none meets another
+        assertTrue(refined(P, dots(4, 100, 0), 100, 0).isStructure());
+        assertFalse(refined(P, edge(4), 100, 0).isStructure());
+    }
+
+    @Test
+    public void textureThatStandsStillIsNone() {
+        assertFalse(refined(P, dots(4, 0, 0), 100, 0).isStructure());
+    }
+
+    /** 100 dots far from each other that fire every 10 ms and move at (vx, vy) px/s. */
+    private static List<Event> dots(int times, int vx, int vy) {
+        List<Event> events = new ArrayList<>();
+        for (int time = 0; time < times; time++) {
+            for (int i = 0; i < 100; i++) {
+                int x = 3 + i % 10 * 6 + i / 10 % 2 * 3;
+                int y = 2 + i / 10 * 4;
+                events.add(new Event(x + vx * time / 100, y + vy * time / 100, time * 10_000L + i, 1));
+            }
+        }
+        return events;
     }
 
     @Test

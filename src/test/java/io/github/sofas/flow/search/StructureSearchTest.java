@@ -45,6 +45,35 @@ public class StructureSearchTest {
         public boolean expects(int x, int y, long timeUs, int polarity) {
             return true;
         }
+
+        @Override
+        public boolean isTracked() {
+            return true;
+        }
+
+        @Override
+        public double speed() {
+            return 100;
+        }
+
+        @Override
+        public double vxAt(int x, int y, long timeUs) {
+            return 100;
+        }
+
+        @Override
+        public double vyAt(int x, int y, long timeUs) {
+            return 0;
+        }
+
+        @Override
+        public boolean isAround(int x, int y, double marginPx, long nowUs) {
+            return true;
+        }
+
+        @Override
+        public void see(int x, int y, long timeUs, int polarity, long nowUs) {
+        }
     }
 
     /**

@@ -44,6 +44,7 @@ public class SurroundingsTest {
     /** Takes events, and keeps their times. */
     private static final class Taker implements Structures.Structure {
         private final List<Long> times = new ArrayList<>();
+        private final List<Long> seen = new ArrayList<>();
 
         @Override
         public void addPast(int x, int y, long timeUs, int polarity) {
@@ -57,6 +58,37 @@ public class SurroundingsTest {
         @Override
         public boolean expects(int x, int y, long timeUs, int polarity) {
             return false;
+        }
+
+        @Override
+        public boolean isTracked() {
+            return true;
+        }
+
+        @Override
+        public double speed() {
+            return 100;
+        }
+
+        @Override
+        public double vxAt(int x, int y, long timeUs) {
+            return 100;
+        }
+
+        @Override
+        public double vyAt(int x, int y, long timeUs) {
+            return 0;
+        }
+
+        @Override
+        public boolean isAround(int x, int y, double marginPx, long nowUs) {
+            // its box ends in the middle of the sensor
+            return x - marginPx < 128;
+        }
+
+        @Override
+        public void see(int x, int y, long timeUs, int polarity, long nowUs) {
+            seen.add(timeUs);
         }
     }
 
@@ -115,5 +147,29 @@ public class SurroundingsTest {
         assertEquals(0, second.times.size());
         spreadFrom(40, 48);
         assertFalse(surroundings.isAny());
+    }
+
+    @Test
+    public void structureThatIsTrackedTakesOverWhatMovesAlikeInItsBoxAndBeside() {
+        film(100, 0);
+        Taker tracked = new Taker();
+        surroundings.begin(tracked, NOW_US);
+        surroundings.spreadAround(40);
+        assertTrue(surroundings.has(48, 48, NOW_US));
+        // tiles beside its box, and what moves alike beside those
+        assertTrue(surroundings.has(144, 48, NOW_US));
+        assertTrue(surroundings.has(208, 48, NOW_US));
+        surroundings.hand(tracked);
+        assertEquals(0, tracked.times.size());
+        assertTrue("seen " + tracked.seen.size(), tracked.seen.size() > 3000);
+    }
+
+    @Test
+    public void structureThatIsTrackedTakesNothingOverThatMovesOtherwise() {
+        film(0, 100);
+        surroundings.begin(new Taker(), NOW_US);
+        surroundings.spreadAround(40);
+        assertTrue(surroundings.has(80, 48, NOW_US));
+        assertFalse(surroundings.has(144, 48, NOW_US));
     }
 }

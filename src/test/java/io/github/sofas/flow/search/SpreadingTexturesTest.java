@@ -1,0 +1,107 @@
+package io.github.sofas.flow.search;
+
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertSame;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.Test;
+
+/** When a structure of texture looks around itself again. */
+public class SpreadingTexturesTest {
+    private final SpreadingTextures textures = new SpreadingTextures();
+
+    /** A structure of a speed, which is tracked or not. */
+    private static final class Moving implements Structures.Structure {
+        private final double speed;
+        private boolean tracked = true;
+
+        Moving(double speed) {
+            this.speed = speed;
+        }
+
+        @Override
+        public void addPast(int x, int y, long timeUs, int polarity) {
+        }
+
+        @Override
+        public void begin(long nowUs) {
+        }
+
+        @Override
+        public boolean expects(int x, int y, long timeUs, int polarity) {
+            return false;
+        }
+
+        @Override
+        public boolean isTracked() {
+            return tracked;
+        }
+
+        @Override
+        public double speed() {
+            return speed;
+        }
+
+        @Override
+        public double vxAt(int x, int y, long timeUs) {
+            return speed;
+        }
+
+        @Override
+        public double vyAt(int x, int y, long timeUs) {
+            return 0;
+        }
+
+        @Override
+        public boolean isAround(int x, int y, double marginPx, long nowUs) {
+            return false;
+        }
+
+        @Override
+        public void see(int x, int y, long timeUs, int polarity, long nowUs) {
+        }
+    }
+
+    @Test
+    public void structureIsDueOnceInAPixelOfTravel() {
+        Moving texture = new Moving(100);
+        textures.add(texture, 0);
+        assertFalse(textures.isAnyDue(9_999));
+        assertNull(textures.due(9_999));
+        assertTrue(textures.isAnyDue(10_000));
+        assertSame(texture, textures.due(10_000));
+        assertNull(textures.due(19_999));
+        assertSame(texture, textures.due(20_000));
+    }
+
+    @Test
+    public void eachStructureIsDueInItsOwnTime() {
+        Moving slow = new Moving(50);
+        Moving fast = new Moving(200);
+        textures.add(slow, 0);
+        textures.add(fast, 0);
+        assertSame(fast, textures.due(5_000));
+        assertNull(textures.due(7_500));
+        assertSame(fast, textures.due(10_000));
+        assertSame(slow, textures.due(20_000));
+        assertSame(fast, textures.due(20_000));
+        assertNull(textures.due(20_000));
+    }
+
+    @Test
+    public void whatIsNoLongerTrackedIsForgotten() {
+        Moving texture = new Moving(100);
+        textures.add(texture, 0);
+        texture.tracked = false;
+        assertNull(textures.due(20_000));
+        texture.tracked = true;
+        assertNull(textures.due(40_000));
+    }
+
+    @Test
+    public void whatStandsStillIsNotDue() {
+        textures.add(new Moving(0.5), 0);
+        assertNull(textures.due(10_000_000));
+    }
+}
