@@ -9,7 +9,8 @@ import java.util.List;
 /**
  * Decides whose the events of a slice are, where that is open: each goes to the segment along whose motion its edge
  * came and went. A segment's claim is the number of px of travel, up to {@value #SIDE_PARTS} on either side, in which
- * there was an event of the same polarity where the motion puts the edge; what no segment claims is noise.
+ * there was an event of the same polarity within a pixel of where the motion puts the edge; those in which it was on
+ * the very pixel count more. What no segment claims is noise.
  *
  * <p>Longer than other classes, because which events are open, who may claim them and how a claim is counted use the
  * same tables of the slice, which are filled once for all of them.
@@ -21,11 +22,13 @@ final class Competition {
     /** Parts of the travel that are decided at once, along one motion. */
     private static final double BLOCK_PARTS = 4;
     /** Claim that an event needs to belong to a segment. */
-    private static final double LEAST = 4;
+    private static final double LEAST = 7;
     /** The same of one that the engine gave to a segment. */
-    private static final double LEAST_LABELLED = 3;
+    private static final double LEAST_LABELLED = 5.4;
+    /** More than any claim. */
+    private static final double MOST = 8 * SIDE_PARTS;
     /** What the label that it has adds to a claim. */
-    private static final double PRIOR = 1.5;
+    private static final double PRIOR = 2.7;
     /** What events count for that have no label yet, and those of another segment. */
     private static final double NOBODYS = 0.7;
     private static final double OTHERS = 0.3;
@@ -318,9 +321,9 @@ final class Competition {
             boolean isOwn = window.segment[window.at(event)] == path.id();
             int part = step / STEPS;
             long wanted = TraceMap.parts(part - SIDE_PARTS, part + SIDE_PARTS + 1) & ~(1L << part);
-            double score = shows ? TraceMap.score(map.around(x, y, slice.isOn(j)), wanted, NOBODYS, OTHERS) : 0;
+            double score = shows ? map.claim(x, y, slice.isOn(j), wanted, NOBODYS, OTHERS) : 0;
             if (isOwn) {
-                score = shows ? score + PRIOR : 2 * SIDE_PARTS + PRIOR;
+                score = shows ? score + PRIOR : MOST + PRIOR;
             }
             int i = (int) (event - slice.from);
             if (score > claim[i]) {

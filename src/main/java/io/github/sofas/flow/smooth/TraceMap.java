@@ -16,6 +16,8 @@ final class TraceMap {
     static final int NOBODYS = 1;
     static final int OTHERS = 2;
 
+    /** What an event counts on the nearest pixel, above the 1 that it counts within a pixel. */
+    private static final int NEAREST = 2;
     /** Pixels around the sensor. */
     private static final int BORDER = 8;
     private static final long ALL = (1L << PARTS) - 1;
@@ -72,8 +74,15 @@ final class TraceMap {
         return column > 0 && column < width - 1 && row > 0 && row < height - 1;
     }
 
-    /** What is known of the four pixels around a place. */
-    long around(double x, double y, boolean isOn) {
+    /**
+     * How well the events of the wanted parts agree with one at a place: each part counts where there is an event on
+     * one of the four pixels around the place, and {@value #NEAREST} more where there is one on the pixel that it is
+     * nearest to.
+     *
+     * @param nobodys what events of no segment count, of 1
+     * @param others what those of another segment count
+     */
+    double claim(double x, double y, boolean isOn, long wanted, double nobodys, double others) {
         int column = (int) (x + BORDER);
         int row = (int) (y + BORDER);
         if (!isInside(column, row)) {
@@ -81,11 +90,13 @@ final class TraceMap {
         }
         long[] map = isOn ? on : off;
         int k = row * width + column;
-        return map[k] | map[k + 1] | map[k + width] | map[k + width + 1];
+        long around = map[k] | map[k + 1] | map[k + width] | map[k + width + 1];
+        int nearest = (int) (y + (BORDER + 0.5)) * width + (int) (x + (BORDER + 0.5));
+        return score(around, wanted, nobodys, others) + NEAREST * score(map[nearest], wanted, nobodys, others);
     }
 
     /** In how many of the wanted parts there are events: those of nobody and of others count less. */
-    static double score(long known, long wanted, double nobodys, double others) {
+    private static double score(long known, long wanted, double nobodys, double others) {
         long own = known & wanted;
         long free = known >> PARTS & wanted & ~own;
         long taken = known >> 2 * PARTS & wanted & ~own & ~free;

@@ -10,24 +10,30 @@ public class TraceMapTest {
 
     private final TraceMap map = new TraceMap(new SensorSize(20, 10));
 
+    /** The claim of a place in parts 0 to 7, where events of nobody count half, and those of others a quarter. */
+    private double claim(double x, double y, boolean isOn) {
+        return map.claim(x, y, isOn, TraceMap.parts(0, 8), 0.5, 0.25);
+    }
+
     @Test
-    public void eventsAreFoundFromLessThanAPixelAwayWithTheirPolarity() {
+    public void eventCountsThreeTimesOnItsPixelAndOnceLessThanAPixelAwayWithItsPolarity() {
         map.add(5, 5, true, 3, TraceMap.OWN);
-        assertEquals(1L << 3, map.around(5, 5, true));
-        assertEquals(1L << 3, map.around(5.9, 4.1, true));
-        assertEquals(0, map.around(6.1, 5, true));
-        assertEquals(0, map.around(5, 3.9, true));
-        assertEquals(0, map.around(5, 5, false));
+        assertEquals(3, claim(5, 5, true), EXACT);
+        assertEquals(3, claim(5.4, 4.6, true), EXACT);
+        assertEquals(1, claim(5.9, 4.1, true), EXACT);
+        assertEquals(0, claim(6.1, 5, true), EXACT);
+        assertEquals(0, claim(5, 3.9, true), EXACT);
+        assertEquals(0, claim(5, 5, false), EXACT);
     }
 
     @Test
     public void whatIsBesideTheSensorIsFoundAndWhatIsFarFromItIsLeftOut() {
         map.add(-3, 5, true, 0, TraceMap.OWN);
-        assertEquals(1, map.around(-3, 5, true));
+        assertEquals(3, claim(-3, 5, true), EXACT);
         map.add(-30, 5, true, 0, TraceMap.OWN);
         map.add(50, 500, true, 0, TraceMap.OWN);
-        assertEquals(0, map.around(-30, 5, true));
-        assertEquals(0, map.around(50, 500, true));
+        assertEquals(0, claim(-30, 5, true), EXACT);
+        assertEquals(0, claim(50, 500, true), EXACT);
     }
 
     @Test
@@ -35,8 +41,8 @@ public class TraceMapTest {
         map.add(5, 5, true, 3, TraceMap.OWN);
         map.add(5, 9, false, 3, TraceMap.OWN);
         map.clear();
-        assertEquals(0, map.around(5, 5, true));
-        assertEquals(0, map.around(5, 9, false));
+        assertEquals(0, claim(5, 5, true), EXACT);
+        assertEquals(0, claim(5, 9, false), EXACT);
     }
 
     @Test
@@ -47,9 +53,8 @@ public class TraceMapTest {
         map.add(6, 5, true, 2, TraceMap.OTHERS);
         map.add(5, 6, true, 4, TraceMap.OTHERS);
         map.add(5, 6, true, 9, TraceMap.OWN);
-        long known = map.around(5.5, 5.5, true);
-        // part 9 is not wanted
-        assertEquals(1 + 0.5 + 0.25, TraceMap.score(known, TraceMap.parts(0, 5), 0.5, 0.25), EXACT);
+        // part 9 is not wanted; on pixel (5, 5) itself is part 1 only
+        assertEquals(1 + 0.5 + 0.25 + 2, claim(5.4, 5.4, true), EXACT);
     }
 
     @Test
