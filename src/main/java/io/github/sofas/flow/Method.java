@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import java.util.List;
+import java.util.function.Consumer;
 
 /** One way of labelling events: as published, or refined. Called with events on the sensor whose time never falls. */
 interface Method {
@@ -13,6 +14,11 @@ interface Method {
 
     /** Labels from now on with other parameters of the same preset. */
     void setParameters(SofasParameters parameters);
+
+    /** Has a part of the work done by a helper; null for none. */
+    default void helpedBy(Consumer<Runnable> helper) {
+        // as published: in one thread
+    }
 
     /** The living segments. */
     List<Segment> segments();

@@ -3,10 +3,9 @@ package io.github.sofas.flow;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.MeasuredMotions;
-import io.github.sofas.flow.search.BusyPixels;
-import io.github.sofas.flow.search.FlowPlane;
-import io.github.sofas.flow.search.LoneEvents;
-import io.github.sofas.flow.search.StructureSearch;
+import io.github.sofas.flow.search.EventRate;
+import io.github.sofas.flow.search.EventSlice;
+import io.github.sofas.flow.search.SearchedFlowPlane;
 import io.github.sofas.flow.track.TrackPlaneStack;
 import java.util.List;
 import java.util.function.Consumer;
@@ -14,6 +13,10 @@ import java.util.function.Consumer;
 /**
  * The method of the {@code default} preset: the paper's nouns, made accurate and fast. An event goes to the track plane
  * that expects it, else to the flow plane; what the search finds there becomes a track plane.
+ *
+ * <p>Ours: where many events are explained, the flow plane gets them by slices, so that a helper may search one while
+ * the next is labelled. What it finds is tracked from the end of that next slice on, whoever searched, and however
+ * fast.
  */
 final class RefinedMethod implements Method {
     /** Most events that vote on two grids, at twice the cost: of a track plane, less than a thinned sample has. */
@@ -23,25 +26,26 @@ final class RefinedMethod implements Method {
 
     private final SensorSize sensor;
     private final TrackPlaneStack stack;
+    private final SearchedFlowPlane flowPlane;
+    private final EventRate rate = new EventRate();
+    private final EventSlice.Taker expecting;
+    private final Beside learning;
     private SofasParameters p;
-    private LoneEvents lone;
-    private BusyPixels busy;
-    private FlowPlane flowPlane;
-    private StructureSearch search;
+    /** What is labelled now, and what the flow plane was given before it. */
+    private EventSlice slice = new EventSlice();
+    private EventSlice given = new EventSlice();
+    /** Votes of measurements when it was given. */
+    private long givenVotes;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended, MeasuredMotions measured) {
         this.sensor = sensor;
         this.p = p;
-        lone = new LoneEvents(sensor.width(), sensor.height(), p.search().slowestPxPerS());
-        busy = new BusyPixels(sensor.width(), sensor.height(), p.search());
-        flowPlane = new FlowPlane(sensor.width(), sensor.height(), p.search());
-        stack = new TrackPlaneStack(sensor, p.track(), newFit(TRACKED_ON_BOTH), ended, measured);
-        search = newSearch(p);
-    }
-
-    private StructureSearch newSearch(SofasParameters p) {
-        return new StructureSearch(flowPlane, p.search(), newFit(SEARCHED_ON_BOTH), new StackedStructures(stack),
-            stack.votes());
+        stack = new TrackPlaneStack(sensor, p.track(), newFit(TRACKED_ON_BOTH), newFit(TRACKED_ON_BOTH), ended,
+            measured);
+        flowPlane = new SearchedFlowPlane(sensor, p.search(), newFit(SEARCHED_ON_BOTH),
+            new FoundStructures(stack));
+        expecting = stack.found()::takes;
+        learning = new Beside(() -> flowPlane.take(given, givenVotes));
     }
 
     private MetricFit newFit(int mostOnBoth) {
@@ -52,38 +56,70 @@ final class RefinedMethod implements Method {
     static long mostBytes(SensorSize sensor, SofasParameters p) {
         long fit = MetricFit.bytes(sensor.width(), sensor.height(), MetricFit.CELL_PX,
             TrackPlaneStack.MOST_MEASURED);
-        return LoneEvents.bytes(sensor) + BusyPixels.bytes(sensor) + StructureSearch.mostBytes(sensor, p.search())
-            + TrackPlaneStack.mostBytes(sensor, p.track()) + 2 * fit;
+        return SearchedFlowPlane.mostBytes(sensor, p.search()) + TrackPlaneStack.mostBytes(sensor, p.track())
+            + 3 * fit + 2 * EventSlice.bytes();
     }
 
     @Override
     public void label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
+        rate.goOn(timeUs);
+        if (!rate.isDense()) {
+            labelAlone(x, y, timeUs, polarity, output, i);
+            return;
+        }
+        if (slice.isOver(timeUs)) {
+            learn();
+        }
         stack.check(timeUs);
-        if (!stack.label(x, y, timeUs, polarity, output, i) && !lone.isAlone(x, y, timeUs)
-                && !busy.isBusy(x, y, timeUs)) {
-            flowPlane.add(x, y, timeUs, polarity);
+        boolean explained = stack.label(x, y, timeUs, polarity, output, i);
+        rate.note(explained);
+        slice.add(x, y, timeUs, polarity, explained);
+    }
+
+    /** Labels an event, and learns from it at once. */
+    private void labelAlone(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
+        if (slice.labelled() > 0) {
+            catchUp();
         }
-        if (flowPlane.isToSettle(timeUs)) {
-            flowPlane.settle(timeUs);
-        }
-        search.run(stack.votes());
+        stack.check(timeUs);
+        boolean explained = stack.label(x, y, timeUs, polarity, output, i);
+        rate.note(explained);
+        flowPlane.take(x, y, timeUs, polarity, explained, stack.votes());
+        stack.adopt();
+    }
+
+    /** Learns from the last slice of a dense time, too, before what follows it is labelled. */
+    private void catchUp() {
+        learn();
+        learning.await();
+        stack.adopt();
+    }
+
+    /** Tracks what was found in the slice before, and gives the one that is over to the flow plane. */
+    private void learn() {
+        learning.await();
+        slice.offer(expecting);
+        stack.adopt();
+        flowPlane.spread();
+        EventSlice next = given;
+        given = slice;
+        slice = next;
+        slice.clear();
+        givenVotes = stack.votes();
+        learning.begin();
     }
 
     @Override
     public void setParameters(SofasParameters next) {
-        SofasParameters.Search from = p.search();
-        SofasParameters.Search to = next.search();
-        if (to.flowProjections() != from.flowProjections() || to.slowestPxPerS() != from.slowestPxPerS()
-                || to.fastestPxPerS() != from.fastestPxPerS() || to.lifespanUs() != from.lifespanUs()) {
-            lone = new LoneEvents(sensor.width(), sensor.height(), to.slowestPxPerS());
-            busy = new BusyPixels(sensor.width(), sensor.height(), to);
-            flowPlane = new FlowPlane(sensor.width(), sensor.height(), to);
-            search = newSearch(next);
-        } else {
-            search.setParameters(to);
-        }
+        learning.await();
         stack.setParameters(next.track());
+        flowPlane.setParameters(next.search(), stack.votes());
         p = next;
+    }
+
+    @Override
+    public void helpedBy(Consumer<Runnable> helper) {
+        learning.helpedBy(helper);
     }
 
     @Override
@@ -93,6 +129,7 @@ final class RefinedMethod implements Method {
 
     @Override
     public MetricArray metricArray() {
+        learning.await();
         return new MetricArray(SofasParameters.Preset.DEFAULT, p.search().flowProjections(),
             flowPlane.metricsPerEvent());
     }
@@ -104,10 +141,10 @@ final class RefinedMethod implements Method {
 
     @Override
     public void reset() {
-        lone.reset();
-        busy.reset();
+        learning.await();
+        slice.clear();
+        rate.reset();
         flowPlane.reset();
-        search.reset();
         stack.reset();
     }
 }

@@ -137,6 +137,15 @@ public final class SmoothedSofas implements Labelling {
         return Sofas.mostBytes(sensor, parameters) + Smoother.mostBytes(sensor);
     }
 
+    /**
+     * Has a part of the engine's work done beside the thread that labels, as {@link Sofas#helpedBy} does.
+     *
+     * @param helper runs what it is given, in another thread; null for none
+     */
+    public void helpedBy(Consumer<Runnable> helper) {
+        sofas.helpedBy(helper);
+    }
+
     @Override
     public void add(EventBatch batch) {
         for (int from = 0; from < batch.size(); from += PART) {

@@ -21,6 +21,8 @@ import java.util.function.Consumer;
  *
  * <p>Results do not depend on how the events are cut into batches.
  *
+ * <p>Results do not depend on whether another thread helps either ({@link #helpedBy}).
+ *
  * <p>Any thread may call any method at any time: what it asks is done between two batches, and waits for the one that
  * is being labelled ({@link #setParameters} and {@link #parameters} do not wait). Engines share nothing. Batches and
  * outputs are the caller's: no two threads may use one at once.
@@ -32,6 +34,7 @@ public final class Sofas implements EventLabeller {
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
     private final MeasuredMotions measured;
+    private Consumer<Runnable> helper;
     /** What the next batch is to be labelled with; any thread may write it. */
     private volatile SofasParameters parameters;
     private SofasParameters inUse;
@@ -79,16 +82,16 @@ public final class Sofas implements EventLabeller {
 
     /**
      * {@return the upper bound of the memory that an engine holds, in bytes, whatever the events} It is the sum of its
-     * arrays, as large as they may grow. For 240 x 180 px it is 99 MB with the default preset and 275 MB with the
-     * paper's, with 64 track planes; with one, 57 and 44 MB.
+     * arrays, as large as they may grow. For 240 x 180 px it is 101 MB with the default preset and 275 MB with the
+     * paper's, with 64 track planes; with one, 58 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
      * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 17 for each of the newest 2
-     * to 4 events per pixel, at most 2^20; 9 bytes per pixel; 8 bytes for each cell of the grid that motion is measured
-     * on; and for each track plane 4 bytes for each of (w + 48) (h + 48) cells and of (w/2 + 7) (h/2 + 7), rounded up
-     * to powers of two, 19 for each of its 16,384 live events at most, and 41,000 for the places that it was at and
-     * what it looked like there.
+     * to 4 events per pixel, at most 2^20; 9 bytes per pixel; three times 8 bytes for each cell of a grid that motion
+     * is measured on and 49 for each of 16,384 events; and for each track plane 4 bytes for each of (w + 48) (h + 48)
+     * cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 19 for each of its 16,384 live events at most, and
+     * 41,000 for the places that it was at and what it looked like there.
      *
      * <p>{@code paper}: 2 bytes for each cell of the n² accumulators, whose sides are those of the sensor and the
      * travel during the lifespan, rounded up to powers of two, at most 4,096; 9 for each cell of the plane that a
@@ -133,6 +136,7 @@ public final class Sofas implements EventLabeller {
         } else {
             reset();
             method = make(wanted);
+            method.helpedBy(helper);
         }
         inUse = wanted;
     }
@@ -172,6 +176,18 @@ public final class Sofas implements EventLabeller {
                 output.set(i, 0, 0, 0);
             }
         }
+    }
+
+    /**
+     * {@inheritDoc}
+     *
+     * <p>With the default preset, what labels follow from is learnt there while the next events are labelled; the paper
+     * preset has no use for help.
+     */
+    @Override
+    public synchronized void helpedBy(Consumer<Runnable> newHelper) {
+        helper = newHelper;
+        method.helpedBy(helper);
     }
 
     /** Segments that are tracked at the newest event. */

@@ -9,6 +9,8 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PlainPlane.Event;
 import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.SimulatedRecording;
+import io.github.sofas.simulate.SimulationOptions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,6 +21,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import org.junit.Test;
 
 /** Several threads at one engine, and engines side by side. */
@@ -30,10 +33,16 @@ public class ConcurrencyTest {
 
     /** What an engine said of the whole film. */
     private static final class Labels {
-        final int[] segment = new int[FILM.size()];
-        final float[] vxPxPerS = new float[FILM.size()];
-        final float[] vyPxPerS = new float[FILM.size()];
+        final int[] segment;
+        final float[] vxPxPerS;
+        final float[] vyPxPerS;
         List<Segment> segments;
+
+        Labels(int events) {
+            segment = new int[events];
+            vxPxPerS = new float[events];
+            vyPxPerS = new float[events];
+        }
 
         void assertSame(Labels other) {
             assertArrayEquals(segment, other.segment);
@@ -44,11 +53,15 @@ public class ConcurrencyTest {
     }
 
     private static Labels label(Sofas sofas) {
-        int n = FILM.size();
-        Labels labels = new Labels();
+        return label(sofas, FILM);
+    }
+
+    private static Labels label(Sofas sofas, List<Event> film) {
+        int n = film.size();
+        Labels labels = new Labels(n);
         FlowOutput output = new FlowOutput(BATCH);
         for (int i = 0; i < n; i += BATCH) {
-            EventBatch batch = Streams.batch(FILM.subList(i, Math.min(n, i + BATCH)));
+            EventBatch batch = Streams.batch(film.subList(i, Math.min(n, i + BATCH)));
             sofas.process(batch, output);
             System.arraycopy(output.segment, 0, labels.segment, i, batch.size());
             System.arraycopy(output.vxPxPerS, 0, labels.vxPxPerS, i, batch.size());
@@ -98,6 +111,8 @@ public class ConcurrencyTest {
             // the events of a merged one count among those of the other
             Sofas sofas = new Sofas(SENSOR, base, segment ->
                 eventsOfEnded.addAndGet(segment.fate() == Segment.Fate.REMOVED ? segment.events() : 0));
+            ExecutorService helper = Executors.newSingleThreadExecutor();
+            sofas.helpedBy(helper::execute);
             AtomicReference<Throwable> thrown = new AtomicReference<>();
             long[] labelled = new long[1];
             Thread labeller = new Thread(() -> {
@@ -117,7 +132,53 @@ public class ConcurrencyTest {
             assertEquals(labelled[0], eventsOfEnded.get());
             sofas.setParameters(base);
             label(new Sofas(SENSOR, base)).assertSame(label(sofas));
+            helper.shutdownNow();
         }
+    }
+
+    /** A wall that gives a million events a second, so that there is work worth a helper's while. */
+    private static List<Event> wall() {
+        SimulatedRecording wall = SimulatedRecording.of(Scene.TEXTURED_PAN, SimulationOptions.defaults()
+            .withSensor(SENSOR).withSpeedPxPerS(400).withDurationUs(40_000));
+        List<Event> events = new ArrayList<>();
+        for (int i = 0; i < wall.size(); i++) {
+            events.add(new Event(wall.x[i], wall.y[i], wall.timeUs[i], wall.polarity[i]));
+        }
+        return events;
+    }
+
+    @Test
+    public void helperMakesNoDifference() throws Exception {
+        List<Event> film = wall();
+        Labels alone = label(new Sofas(SENSOR, SofasParameters.defaults()), film);
+        assertTrue("found", alone.segments.size() > 0);
+        ExecutorService one = Executors.newSingleThreadExecutor();
+        ExecutorService several = Executors.newFixedThreadPool(3);
+        Random random = new Random(2);
+        int[] asked = new int[1];
+        try {
+            for (Consumer<Runnable> helper : List.<Consumer<Runnable>>of(
+                    one::execute,
+                    several::execute,
+                    // never, at once, or sometimes
+                    work -> asked[0]++,
+                    Runnable::run,
+                    work -> {
+                        if (random.nextBoolean()) {
+                            one.execute(work);
+                        }
+                    })) {
+                Sofas helped = new Sofas(SENSOR, SofasParameters.defaults());
+                helped.helpedBy(helper);
+                alone.assertSame(label(helped, film));
+                helped.reset();
+                alone.assertSame(label(helped, film));
+            }
+        } finally {
+            one.shutdownNow();
+            several.shutdownNow();
+        }
+        assertTrue("asked for help " + asked[0] + " times", asked[0] > 20);
     }
 
     @Test

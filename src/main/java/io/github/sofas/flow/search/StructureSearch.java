@@ -46,6 +46,7 @@ public final class StructureSearch {
     private SofasParameters.Search p;
 
     private Stage stage = Stage.IDLE;
+    private boolean mayBeSpread;
     private long nextLook;
 
     // the look that is under way: votes of the search before it, projection, its pieces, the one that is looked at
@@ -102,15 +103,33 @@ public final class StructureSearch {
      * @param measuringVotes votes that the measurements of track planes gave so far
      */
     public void run(long measuringVotes) {
+        run(measuringVotes, true);
+    }
+
+    /**
+     * The same.
+     *
+     * @param spreads whether structures that are tracked may look around themselves; not while others track them
+     */
+    void run(long measuringVotes, boolean spreads) {
+        mayBeSpread = spreads;
         budget.earn(measuringVotes);
         while (budget.isLeft() && isBusy()) {
             work();
         }
     }
 
+    /** Lets a structure that is due look around itself, unless a look is under way. */
+    void spread() {
+        if (stage == Stage.IDLE) {
+            spreadsOn();
+        }
+    }
+
     /** Whether a look is under way or due. */
     private boolean isBusy() {
-        return stage != Stage.IDLE || plane.total() >= nextLook || spreading.isAnyDue(plane.recent().newestUs());
+        return stage != Stage.IDLE || plane.total() >= nextLook
+            || mayBeSpread && spreading.isAnyDue(plane.recent().newestUs());
     }
 
     private void work() {
@@ -131,7 +150,7 @@ public final class StructureSearch {
 
     /** Begins to look at the best projection, if there is one. */
     private void look() {
-        if (spreadsOn() || plane.total() < nextLook) {
+        if (mayBeSpread && spreadsOn() || plane.total() < nextLook) {
             return;
         }
         nextLook = plane.total() + every;

@@ -8,6 +8,9 @@ public interface Structures {
     /** Takes a new structure over, of a velocity in px/s at a time; its events follow. */
     Structure create(long nowUs, double vxPxPerS, double vyPxPerS);
 
+    /** Whether one of the structures that were handed over of late expects an event, and takes it. */
+    boolean takes(int x, int y, long timeUs, int polarity);
+
     /** A structure that is handed over. */
     interface Structure {
         /** Hands over an event of the structure's past, in order of time. */

@@ -59,8 +59,12 @@ public final class TrackPlane {
     private final Motion before = new Motion();
     private final Measurement measurement;
     private final MeasuredMotions measured;
+    /** What was measured before it had a number, if anything was. */
+    private final Motion firstMeasured = new Motion();
+    private boolean isMeasured;
 
     private int id;
+    private int served;
     private long firstUs;
     private long lastUs;
     private long events;
@@ -89,9 +93,11 @@ public final class TrackPlane {
         return Contour.bytes(sensor) + ((long) Integer.BYTES << memoryBits) + LiveEvents.BYTES;
     }
 
-    /** Begins with the velocity of a new structure; its events are to be added. */
-    void start(int newId, long nowUs, double vx, double vy) {
-        id = newId;
+    /** Begins with the velocity of a new structure, which has no number yet; its events are to be added. */
+    void start(long nowUs, double vx, double vy) {
+        id = 0;
+        served++;
+        isMeasured = false;
         firstUs = nowUs;
         lastUs = nowUs;
         events = 0;
@@ -108,7 +114,20 @@ public final class TrackPlane {
         usualDensity = 0;
     }
 
-    /** Its number, from 1 on. */
+    /** Gives it its number, under which its motion is told from then on. */
+    void number(int newId) {
+        id = newId;
+        if (isMeasured) {
+            measured.measured(id, firstMeasured);
+        }
+    }
+
+    /** How many structures it has served, with this one. */
+    public int served() {
+        return served;
+    }
+
+    /** Its number, from 1 on; 0 where it has none yet. */
     public int id() {
         return id;
     }
@@ -278,10 +297,19 @@ public final class TrackPlane {
             measurement.judge(false, motion, live, contour.radius(), fit, nowUs);
         } else if (nowUs - live.oldestUs() > 10) {
             measurement.measure(motion, live, contour.radius(), fit, lifetimeUs, nowUs);
-            measured.measured(id, motion);
+            tell();
             measurement.judge(true, motion, live, contour.radius(), fit, nowUs);
         }
         carryOn(nowUs);
+    }
+
+    private void tell() {
+        if (id == 0) {
+            isMeasured = true;
+            firstMeasured.copyFrom(motion);
+        } else {
+            measured.measured(id, motion);
+        }
     }
 
     /** Goes on along the motion as it is known now. */

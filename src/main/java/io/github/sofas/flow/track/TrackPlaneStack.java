@@ -31,32 +31,33 @@ public final class TrackPlaneStack {
     /** Support below this many thresholds is weak. */
     private static final int WEAK = 2;
 
-    private final SensorSize sensor;
     private final Consumer<Segment> ended;
-    private final MeasuredMotions measured;
     private SofasParameters.Track p;
     private final MetricFit fit;
     private TrackPlane[] planes;
     private final List<TrackPlane> unused = new ArrayList<>();
+    private final FoundPlanes found;
     private LiveEvents spare = new LiveEvents();
-    private final Contour.Spare spareCells;
     private final CommonMotion common = new CommonMotion();
     private final Doubts doubts;
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
 
-    /** Makes an empty stack that reports segments when they end, and their motions when they are measured. */
-    public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, Consumer<Segment> ended,
-                           MeasuredMotions measured) {
-        this.sensor = sensor;
+    /**
+     * Makes an empty stack that reports segments when they end, and their motions when they are measured.
+     *
+     * @param foundFit for the planes that are found, whose motions another thread may measure
+     */
+    public TrackPlaneStack(SensorSize sensor, SofasParameters.Track p, MetricFit fit, MetricFit foundFit,
+                           Consumer<Segment> ended, MeasuredMotions measured) {
         this.p = p;
         this.fit = fit;
         this.ended = ended;
-        this.measured = measured;
-        spareCells = new Contour.Spare(sensor);
+        found = new FoundPlanes(sensor, p, foundFit, measured);
         doubts = new Doubts(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
+        found.open(planes.length, unused);
     }
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
@@ -196,9 +197,9 @@ public final class TrackPlaneStack {
         planes[size] = null;
     }
 
-    /** Whether no further structure can be tracked. */
-    public boolean isFull() {
-        return size == planes.length;
+    /** The planes that are found and are not in the stack yet. */
+    public FoundPlanes found() {
+        return found;
     }
 
     /** Whether a plane is one of those that are tracked. */
@@ -211,23 +212,18 @@ public final class TrackPlaneStack {
         return false;
     }
 
-    /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
-    public TrackPlane create(long nowUs, double vx, double vy) {
-        TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured)
-            : unused.remove(unused.size() - 1);
-        plane.start(nextId++, nowUs, vx, vy);
-        return plane;
-    }
-
-    /** Begins to track a new structure. */
-    public void begin(TrackPlane plane, long nowUs) {
-        plane.recentre(fit, nowUs);
-        planes[size++] = plane;
+    /** Tracks the planes that were found; from then on as many may be found as there is room for. */
+    public void adopt() {
+        for (int i = 0; i < found.size(); i++) {
+            planes[size] = found.plane(i);
+            planes[size++].number(nextId++);
+        }
+        found.open(planes.length - size, unused);
     }
 
     /** Votes that measurements gave since the start, a measure of work. */
     public long votes() {
-        return fit.votes();
+        return fit.votes() + found.votes();
     }
 
     /** The living segments. */
@@ -241,6 +237,7 @@ public final class TrackPlaneStack {
 
     /** Tracks on with other parameters; where fewer planes are allowed, the last ones end. */
     public void setParameters(SofasParameters.Track next) {
+        adopt();
         p = next;
         while (size > p.maxTrackPlanes()) {
             end(size - 1, Segment.Fate.REMOVED, 0);
@@ -250,6 +247,8 @@ public final class TrackPlaneStack {
             planes[i].setParameters(p);
         }
         unused.clear();
+        found.setParameters(p);
+        found.open(planes.length - size, unused);
     }
 
     /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
@@ -266,6 +265,8 @@ public final class TrackPlaneStack {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
+        found.reset();
+        found.open(planes.length, unused);
         doubts.reset();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;

@@ -28,6 +28,11 @@ public class StructureSearchTest {
         }
 
         @Override
+        public boolean takes(int x, int y, long timeUs, int polarity) {
+            return false;
+        }
+
+        @Override
         public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
             return this;
         }

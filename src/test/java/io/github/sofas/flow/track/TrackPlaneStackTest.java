@@ -23,12 +23,16 @@ public class TrackPlaneStackTest {
     private static final int ROWS = 30;
     private static final int COLUMNS = 5;
 
-    private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
+    private final MetricFit fit = newFit();
     private final List<Segment> ended = new ArrayList<>();
-    private final TrackPlaneStack stack = new TrackPlaneStack(SENSOR, P, fit, ended::add,
+    private final TrackPlaneStack stack = new TrackPlaneStack(SENSOR, P, fit, newFit(), ended::add,
         (segment, motion) -> { });
     private final FlowOutput output = new FlowOutput(1);
     private long nowUs = 1_000_000;
+
+    private static MetricFit newFit() {
+        return new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
+    }
 
     /** An edge that has come to a column by now, each pixel of which fired some times as the edge entered it. */
     private void begin(int column, int row, double vx, int times) {
@@ -36,14 +40,15 @@ public class TrackPlaneStackTest {
     }
 
     private void begin(int column, int row, double vx, int times, int columns) {
-        TrackPlane plane = stack.create(nowUs, vx, 0);
+        TrackPlane plane = stack.found().create(nowUs, vx, 0);
         for (int c = columns - 1; c >= 0; c--) {
             long timeUs = nowUs - (long) (c * 1e6 / Math.abs(vx));
             for (int i = 0; i < times * ROWS; i++) {
                 plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs, 1);
             }
         }
-        stack.begin(plane, nowUs);
+        stack.found().begin(plane, nowUs);
+        stack.adopt();
     }
 
     /** The segment that an ON event of now is given. */
@@ -83,6 +88,37 @@ public class TrackPlaneStackTest {
     }
 
     @Test
+    public void planeThatWasFoundLabelsNothingBeforeItIsAdopted() {
+        TrackPlane plane = stack.found().create(nowUs, 100, 0);
+        for (int i = 0; i < COLUMNS * ROWS; i++) {
+            plane.addPast(36 + i / ROWS, 30 + i % ROWS, nowUs - (4 - i / ROWS) * 10_000, 1);
+        }
+        stack.found().begin(plane, nowUs);
+        nowUs += 10_000;
+        assertEquals(0, label(41, 45));
+        assertEquals(List.of(), ids());
+        // but takes what it expects
+        assertTrue(stack.found().takes(41, 45, nowUs, 1));
+        assertFalse(stack.found().takes(80, 45, nowUs, 1));
+        stack.adopt();
+        assertEquals(List.of(1), ids());
+        assertFalse("it is the stack's", stack.found().takes(41, 46, nowUs, 1));
+        assertEquals(1, label(41, 46));
+    }
+
+    @Test
+    public void resetForgetsWhatWasFound() {
+        TrackPlane plane = stack.found().create(nowUs, 100, 0);
+        plane.addPast(40, 30, nowUs, 1);
+        stack.found().begin(plane, nowUs);
+        stack.reset();
+        stack.adopt();
+        assertEquals(List.of(), ids());
+        begin(40, 30, 100, 1);
+        assertEquals(List.of(1), ids());
+    }
+
+    @Test
     public void eventOnNoContourIsLeftAlone() {
         begin(40, 30, 100, 1);
         assertEquals(0, label(60, 45));
@@ -112,13 +148,14 @@ public class TrackPlaneStackTest {
     public void ofPlanesAsNearOneWithMoreAroundGetsTheEvent() {
         // of both planes three sixteenths are near; of the second, where the event is at 39.7, two more were seen at 41
         begin(40, 30, -100, 1, 3);
-        TrackPlane plane = stack.create(nowUs, 100, 0);
+        TrackPlane plane = stack.found().create(nowUs, 100, 0);
         for (int c = COLUMNS - 1; c >= 0; c--) {
             for (int y = 0; y < ROWS; y++) {
                 plane.addPast((c < 3 ? 40 : 41) - c, 30 + y, nowUs - c * 10_000, 1);
             }
         }
-        stack.begin(plane, nowUs);
+        stack.found().begin(plane, nowUs);
+        stack.adopt();
         nowUs += 3_000;
         assertEquals(2, label(40, 45));
     }
@@ -133,7 +170,7 @@ public class TrackPlaneStackTest {
         for (int k = 0; k < 9; k++) {
             dots.add(new int[] {80 + 3 * (k % 3), 32 + 3 * (k / 3)});
         }
-        TrackPlane plane = stack.create(nowUs, 100, 0);
+        TrackPlane plane = stack.found().create(nowUs, 100, 0);
         for (int c = COLUMNS - 1; c >= 0; c--) {
             for (int y = 0; y < ROWS; y++) {
                 plane.addPast(40 - c, 30 + y, nowUs - c * 10_000, 1);
@@ -144,7 +181,8 @@ public class TrackPlaneStackTest {
                 }
             }
         }
-        stack.begin(plane, nowUs);
+        stack.found().begin(plane, nowUs);
+        stack.adopt();
         return dots;
     }
 
@@ -304,13 +342,13 @@ public class TrackPlaneStackTest {
     public void stackIsFullWithAsManyPlanesAsAreAllowed() {
         stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 2).track());
         begin(20, 10, 100, 1);
-        assertFalse(stack.isFull());
+        assertFalse(stack.found().isFull());
         begin(60, 10, -100, 1);
-        assertTrue(stack.isFull());
+        assertTrue(stack.found().isFull());
         stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 1).track());
         assertEquals(List.of(1), ids());
         assertEquals(2, ended.get(0).id());
-        assertTrue(stack.isFull());
+        assertTrue(stack.found().isFull());
     }
 
     @Test

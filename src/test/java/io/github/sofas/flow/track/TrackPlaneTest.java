@@ -33,7 +33,7 @@ public class TrackPlaneTest {
     private void start(int firstColumn) {
         nowUs = 1_000_000;
         column = firstColumn;
-        plane.start(1, nowUs + 3 * COLUMN_US, 100, 0);
+        plane.start(nowUs + 3 * COLUMN_US, 100, 0);
         for (int c = 0; c < 3; c++) {
             for (int y = 0; y < ROWS; y++) {
                 plane.addPast(column, 30 + y, nowUs, 1);
@@ -42,6 +42,7 @@ public class TrackPlaneTest {
             nowUs += COLUMN_US;
         }
         plane.recentre(fit, nowUs);
+        plane.number(1);
     }
 
     private void take(int x, int y, long timeUs, int polarity, Claim claim) {
@@ -67,6 +68,13 @@ public class TrackPlaneTest {
             state = plane.update(nowUs);
         }
         return state;
+    }
+
+    @Test
+    public void firstMotionIsToldWithTheNumber() {
+        start(20);
+        // the middle of the time since the first column
+        assertEquals(List.of(1_015_000L), measuredUs);
     }
 
     /** Waits without events, looking each 5 ms, until it is in another state; returns for how long. */
@@ -243,7 +251,7 @@ public class TrackPlaneTest {
     public void contourIsDrawnAnewWhereTheMotionWasCorrected() {
         // found at 60 px/s, which leaves the three columns 0.8 px apart in its frame
         nowUs = 1_000_000;
-        plane.start(1, nowUs + 2 * COLUMN_US, 60, 0);
+        plane.start(nowUs + 2 * COLUMN_US, 60, 0);
         for (int c = 0; c < 6; c++) {
             for (int y = 0; y < ROWS; y++) {
                 plane.addPast(20 + c, 30 + y, nowUs, 1);

@@ -1,36 +1,44 @@
 package io.github.sofas.flow;
 
 import io.github.sofas.flow.search.Structures;
+import io.github.sofas.flow.track.FoundPlanes;
 import io.github.sofas.flow.track.TrackPlane;
 import io.github.sofas.flow.track.TrackPlaneStack;
 
-/** Hands the structures that are found to the stack of track planes: search and tracking do not know each other. */
-final class StackedStructures implements Structures {
+/** Makes track planes of the structures that are found: search and tracking do not know each other. */
+final class FoundStructures implements Structures {
+    private final FoundPlanes planes;
     private final TrackPlaneStack stack;
 
-    StackedStructures(TrackPlaneStack stack) {
+    FoundStructures(TrackPlaneStack stack) {
         this.stack = stack;
+        planes = stack.found();
     }
 
     @Override
     public boolean isFull() {
-        return stack.isFull();
+        return planes.isFull();
     }
 
     @Override
     public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
-        return new Handed(stack.create(nowUs, vxPxPerS, vyPxPerS));
+        return new Handed(planes.create(nowUs, vxPxPerS, vyPxPerS));
+    }
+
+    @Override
+    public boolean takes(int x, int y, long timeUs, int polarity) {
+        return planes.takes(x, y, timeUs, polarity);
     }
 
     /** A structure that is handed over. */
     private final class Handed implements Structure {
         private final TrackPlane plane;
-        /** The plane's number while it tracks this structure: it serves another one later. */
-        private final int id;
+        /** How many structures the plane had served with this one: it serves another one later. */
+        private final int served;
 
         Handed(TrackPlane plane) {
             this.plane = plane;
-            id = plane.id();
+            served = plane.served();
         }
 
         @Override
@@ -40,7 +48,7 @@ final class StackedStructures implements Structures {
 
         @Override
         public void begin(long nowUs) {
-            stack.begin(plane, nowUs);
+            planes.begin(plane, nowUs);
         }
 
         @Override
@@ -50,7 +58,7 @@ final class StackedStructures implements Structures {
 
         @Override
         public boolean isTracked() {
-            return plane.id() == id && stack.tracks(plane);
+            return plane.served() == served && stack.tracks(plane);
         }
 
         @Override

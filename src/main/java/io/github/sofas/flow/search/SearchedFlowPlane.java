@@ -1,0 +1,119 @@
+package io.github.sofas.flow.search;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+
+/**
+ * The flow plane, what is kept from it, and the search in it: all that is learnt from the events that no track plane
+ * explains. A slice of events at a time, because another thread may do it while those of the next are labelled.
+ */
+public final class SearchedFlowPlane {
+    private final SensorSize sensor;
+    private final MetricFit fit;
+    private final Structures structures;
+    private SofasParameters.Search p;
+    private LoneEvents lone;
+    private BusyPixels busy;
+    private FlowPlane plane;
+    private StructureSearch search;
+
+    /** Makes an empty one, which hands what it finds to others. */
+    public SearchedFlowPlane(SensorSize sensor, SofasParameters.Search p, MetricFit fit, Structures structures) {
+        this.sensor = sensor;
+        this.fit = fit;
+        this.structures = structures;
+        make(p, 0);
+    }
+
+    /** The most bytes that its arrays take, but for those of its fit. */
+    public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
+        return LoneEvents.bytes(sensor) + BusyPixels.bytes(sensor) + StructureSearch.mostBytes(sensor, p);
+    }
+
+    private void make(SofasParameters.Search with, long measuringVotes) {
+        p = with;
+        lone = new LoneEvents(sensor.width(), sensor.height(), p.slowestPxPerS());
+        busy = new BusyPixels(sensor.width(), sensor.height(), p);
+        plane = new FlowPlane(sensor.width(), sensor.height(), p);
+        search = new StructureSearch(plane, p, fit, structures, measuringVotes);
+    }
+
+    /**
+     * Takes an event, unless it is explained, and searches as far as is due with it.
+     *
+     * @param measuringVotes votes that the measurements of track planes gave so far
+     */
+    public void take(int x, int y, long timeUs, int polarity, boolean isExplained, long measuringVotes) {
+        add(x, y, timeUs, polarity, isExplained);
+        search.run(measuringVotes);
+    }
+
+    private void add(int x, int y, long timeUs, int polarity, boolean isExplained) {
+        if (!isExplained && !lone.isAlone(x, y, timeUs) && !busy.isBusy(x, y, timeUs)) {
+            plane.add(x, y, timeUs, polarity);
+        }
+        settle(timeUs);
+    }
+
+    /** Lets a structure that is tracked and due look around itself; not while others track it. */
+    public void spread() {
+        search.spread();
+    }
+
+    /**
+     * Takes the events of a slice, and searches as far as is due with them.
+     *
+     * @param measuringVotes votes that the measurements of track planes gave so far
+     */
+    public void take(EventSlice slice, long measuringVotes) {
+        int place = 0;
+        for (int i = 0; i < slice.size(); i++) {
+            search(slice.place(i) - 1 - place, measuringVotes);
+            place = slice.place(i);
+            boolean isTaken = structures.takes(slice.x(i), slice.y(i), slice.timeUs(i), slice.sign(i));
+            add(slice.x(i), slice.y(i), slice.timeUs(i), slice.sign(i), isTaken);
+            search(1, measuringVotes);
+        }
+        if (slice.labelled() > place) {
+            settle(slice.untilUs());
+            search(slice.labelled() - place, measuringVotes);
+        }
+    }
+
+    private void settle(long nowUs) {
+        if (plane.isToSettle(nowUs)) {
+            plane.settle(nowUs);
+        }
+    }
+
+    private void search(int events, long measuringVotes) {
+        for (int i = 0; i < events; i++) {
+            search.run(measuringVotes, false);
+        }
+    }
+
+    /** Goes on with other parameters; what is held is forgotten where they change what is looked for. */
+    public void setParameters(SofasParameters.Search next, long measuringVotes) {
+        if (next.flowProjections() != p.flowProjections() || next.slowestPxPerS() != p.slowestPxPerS()
+                || next.fastestPxPerS() != p.fastestPxPerS() || next.lifespanUs() != p.lifespanUs()) {
+            make(next, measuringVotes);
+        } else {
+            search.setParameters(next);
+            p = next;
+        }
+    }
+
+    /** Metric an event held of each projection, to be shown; 0 where it holds none. */
+    public float[] metricsPerEvent() {
+        return plane.metricsPerEvent();
+    }
+
+    /** Forgets all events. */
+    public void reset() {
+        lone.reset();
+        busy.reset();
+        plane.reset();
+        search.reset();
+    }
+}
