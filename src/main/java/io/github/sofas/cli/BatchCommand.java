@@ -80,8 +80,8 @@ final class BatchCommand implements Callable<Integer> {
     private ResultOptions results;
 
     @Option(names = "--threads", paramLabel = "N", defaultValue = "1",
-        description = "Threads per recording: 1, 2 (write while labelling) or 3 (also read while labelling); default: "
-        + "${DEFAULT-VALUE}. Results do not depend on it.")
+        description = "Threads per recording: 1, 2 (write, and help the search, while labelling) or 3 (read, too); "
+        + "default: ${DEFAULT-VALUE}. Results do not depend on it.")
     private int threads;
 
     @Mixin

@@ -4,19 +4,24 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.CausalBatch;
 import io.github.sofas.flow.FlowOutput;
 import java.io.IOException;
+import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 
 /**
- * Reads, labels and writes the batches of a recording: all in the caller's thread, or writing in one of its own, or
- * reading too. Where labels look ahead, that is a part of writing. Each step gets all batches in order and in one
- * thread, so that its results are the same however many threads there are.
+ * Reads, labels and writes the batches of a recording: all in the caller's thread, or with a helper that writes, and
+ * does what labelling has for one, or with another one that reads. Where labels look ahead, that is a part of writing.
+ * Each step gets all batches in order and one at a time, so that its results are the same however many threads there
+ * are.
  */
 final class BatchPipeline {
-    /** Reading, labelling, writing. */
+    /** Labelling, helping, reading. */
     static final int MOST_THREADS = 3;
     /** Events labelled at once: few enough to stay in a core's cache from reader to writer. */
     private static final int BATCH = 4096;
@@ -37,6 +42,9 @@ final class BatchPipeline {
     interface Steps {
         /** Fills a batch; false at the end, or at damage. */
         boolean read(Slot slot);
+
+        /** Says who does what labelling has for a helper; not called where there is none. */
+        void helpedBy(Consumer<Runnable> helper);
 
         /** Labels it, in the caller's thread. */
         void label(Slot slot);
@@ -63,7 +71,9 @@ final class BatchPipeline {
     // a place more than there are batches, for the end
     private final BlockingQueue<Slot> free = new ArrayBlockingQueue<>(SLOTS + 1);
     private final BlockingQueue<Slot> filled = new ArrayBlockingQueue<>(SLOTS + 1);
-    private final BlockingQueue<Slot> labelled = new ArrayBlockingQueue<>(SLOTS + 1);
+    private final Queue<Slot> labelled = new ConcurrentLinkedQueue<>();
+    /** Whether a helper writes, or is asked to. */
+    private final AtomicBoolean writing = new AtomicBoolean();
     /** The first fault of reader or writer; all stop then. */
     private volatile Throwable failure;
 
@@ -96,17 +106,22 @@ final class BatchPipeline {
         }
         ExecutorService helpers = Executors.newFixedThreadPool(threads - 1);
         try {
-            helpers.submit(this::writeAll);
             if (threads == MOST_THREADS) {
                 helpers.submit(this::readAll);
             }
+            steps.helpedBy(helpers::execute);
             for (Slot slot = next(threads); slot != END && failure == null; slot = next(threads)) {
                 steps.label(slot);
-                labelled.put(slot);
+                labelled.add(slot);
+                if (writing.compareAndSet(false, true)) {
+                    helpers.execute(this::writeWaiting);
+                }
             }
-            labelled.put(END);
             helpers.shutdown();
             awaitEnd(helpers);
+            if (failure == null) {
+                steps.finish(new Slot());
+            }
         } finally {
             // where labelling failed the others still wait; they are not to touch what the caller closes next
             helpers.shutdownNow();
@@ -148,25 +163,21 @@ final class BatchPipeline {
         return null;
     }
 
-    /** Writes until the end; after a failure only hands batches back, so that nobody waits for one. */
-    private Void writeAll() throws InterruptedException {
-        for (Slot slot = labelled.take(); slot != END; slot = labelled.take()) {
-            try {
-                if (failure == null) {
-                    steps.write(slot);
+    /** Writes what is labelled; after a failure only hands batches back, so that nobody waits for one. */
+    private void writeWaiting() {
+        do {
+            for (Slot slot = labelled.poll(); slot != null; slot = labelled.poll()) {
+                try {
+                    if (failure == null) {
+                        steps.write(slot);
+                    }
+                } catch (IOException | RuntimeException | Error e) {
+                    failure = e;
                 }
-            } catch (IOException | RuntimeException | Error e) {
-                failure = e;
+                free.add(slot);
             }
-            free.put(slot);
-        }
-        try {
-            if (failure == null) {
-                steps.finish(new Slot());
-            }
-        } catch (IOException | RuntimeException | Error e) {
-            failure = e;
-        }
-        return null;
+            writing.set(false);
+            // unless another one was labelled just before that, and nobody else was asked
+        } while (!labelled.isEmpty() && writing.compareAndSet(false, true));
     }
 }

@@ -305,6 +305,15 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         }
 
         @Override
+        public void helpedBy(Consumer<Runnable> helper) {
+            if (ahead == null) {
+                labeller.helpedBy(helper);
+            } else {
+                ahead.helpedBy(helper);
+            }
+        }
+
+        @Override
         public void label(BatchPipeline.Slot slot) {
             long start = System.nanoTime();
             if (ahead == null) {

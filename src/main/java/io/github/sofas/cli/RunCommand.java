@@ -62,8 +62,8 @@ final class RunCommand implements Callable<Integer> {
     private int jobs;
 
     @Option(names = "--threads", paramLabel = "N", defaultValue = "2",
-        description = "Threads per recording: 1, 2 (write, and look ahead, while labelling) or 3 (also read "
-        + "while labelling); default: ${DEFAULT-VALUE}. Results do not depend on it.")
+        description = "Threads per recording: 1, 2 (write, look ahead and help the search, while labelling) or 3 "
+        + "(read, too); default: ${DEFAULT-VALUE}. Results do not depend on it.")
     private int threads;
 
     @Mixin
