@@ -14,12 +14,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 
 /**
  * Measures one recording: the engine on events that are in memory, decoding, writing CSV, and the whole run from file
  * to file. Every part is warmed up, then timed several times; all runs of a part must give one result.
  *
- * <p>One thread. Memory needed is about 30 bytes per event beside the engine's own.
+ * <p>One thread, and one that helps the engine where that is said. Memory needed is about 30 bytes per event beside the
+ * engine's own.
  */
 public final class Benchmark {
     /** As many as the command line labels at once. */
@@ -31,7 +34,7 @@ public final class Benchmark {
     private final Stopwatch stopwatch;
 
     /** The rates of the parts that need the events in memory, and what the engine was seen to do there. */
-    private record InMemory(long size, Rates engine, Rates csv, EngineFigures figures) {
+    private record InMemory(long size, Rates engine, Rates helped, Rates csv, EngineFigures figures) {
     }
 
     private Benchmark(RecordingUnderTest recording, BenchmarkOptions options, Path folder) {
@@ -68,8 +71,8 @@ public final class Benchmark {
                     + "checksums were " + run.checksum() + " and " + inMemory.csv.checksum());
             }
             Map<Stage, Double> shares = StageSampler.shares(() -> run(rows), options.sampledMs());
-            return new RecordingFigures(recording.name(), recording.format(), inMemory.engine, decode, inMemory.csv,
-                run, shares, inMemory.figures, peakBytes);
+            return new RecordingFigures(recording.name(), recording.format(), inMemory.engine, inMemory.helped,
+                decode, inMemory.csv, run, shares, inMemory.figures, peakBytes);
         } finally {
             Files.delete(rows);
         }
@@ -92,13 +95,15 @@ public final class Benchmark {
         Sofas sofas = new Sofas(events.sensor(), options.parameters());
         long[] allocated = new long[1];
         Rates engine = stopwatch.time("the engine", events.size(), () -> {
-            sofas.reset();
             long before = Memory.allocatedBytes();
-            for (int i = 0; i < flows.size(); i++) {
-                sofas.process(events.batches().get(i), flows.get(i));
-            }
+            label(events, sofas, flows);
             allocated[0] = Memory.allocatedBytes() - before;
         }, () -> checksum(flows));
+        Rates helped = timeHelped(events, sofas, flows);
+        if (!helped.checksum().equals(engine.checksum())) {
+            throw new IllegalStateException("labels must be the same with a helper as without but their checksums were "
+                + helped.checksum() + " and " + engine.checksum());
+        }
         long engineBytes = Memory.usedBytes() - bytesWithout;
         Rates csv = stopwatch.time("writing CSV", events.size(),
             () -> write(events, flows, OutputStream.nullOutputStream()),
@@ -109,7 +114,27 @@ public final class Benchmark {
             });
         EngineFigures figures = new EngineFigures(events.sensor(), shareWithFlow(flows), eventsPerPx(events, flows),
             (double) allocated[0] / events.size(), engineBytes, PacketTimes.measure(sofas, events));
-        return new InMemory(events.size(), engine, csv, figures);
+        return new InMemory(events.size(), engine, helped, csv, figures);
+    }
+
+    private Rates timeHelped(EventsInMemory events, Sofas sofas, List<FlowOutput> flows)
+            throws EventSourceException, IOException {
+        ExecutorService helper = Executors.newSingleThreadExecutor();
+        sofas.helpedBy(helper::execute);
+        try {
+            return stopwatch.time("the engine with a helper", events.size(), () -> label(events, sofas, flows),
+                () -> checksum(flows));
+        } finally {
+            sofas.helpedBy(null);
+            helper.shutdownNow();
+        }
+    }
+
+    private static void label(EventsInMemory events, Sofas sofas, List<FlowOutput> flows) {
+        sofas.reset();
+        for (int i = 0; i < flows.size(); i++) {
+            sofas.process(events.batches().get(i), flows.get(i));
+        }
     }
 
     private static double shareWithFlow(List<FlowOutput> flows) {

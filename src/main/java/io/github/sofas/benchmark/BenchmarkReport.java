@@ -34,6 +34,7 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
         text.append(String.format(Locale.ROOT, "  %-14s %12s %12s %12s %10s %10s  %s\n", "events/s", "minimum",
             "median", "maximum", "ns/event", "of the CPU", "checksum"));
         rates(text, "engine", figures.engine());
+        rates(text, "engine, helped", figures.helped());
         rates(text, "decode", figures.decode());
         rates(text, "CSV", figures.csv());
         rates(text, "whole run", figures.run());
@@ -127,6 +128,7 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
         write(json, "latency_paced", engine.packets().paced());
         write(json, "latency_paced_work", engine.packets().pacedWork());
         json.writeEndObject();
+        write(json, "engine_helped", figures.helped());
         write(json, "decode", figures.decode());
         write(json, "csv", figures.csv());
         json.writeObjectFieldStart("run");

@@ -8,6 +8,7 @@ import java.util.Map;
  * @param recording its name
  * @param format of its file
  * @param engine labelling alone, events in memory
+ * @param helped the same with a helper in a thread of its own; its time on the CPU is that of the other thread
  * @param decode reading and decoding alone
  * @param csv making the rows alone, written nowhere
  * @param run from file to file
@@ -15,6 +16,6 @@ import java.util.Map;
  * @param figures what else was seen of the engine
  * @param peakHeapBytes most heap in use during the whole runs, which keep no events
  */
-public record RecordingFigures(String recording, String format, Rates engine, Rates decode, Rates csv, Rates run,
-                               Map<Stage, Double> shares, EngineFigures figures, long peakHeapBytes) {
+public record RecordingFigures(String recording, String format, Rates engine, Rates helped, Rates decode, Rates csv,
+                               Rates run, Map<Stage, Double> shares, EngineFigures figures, long peakHeapBytes) {
 }

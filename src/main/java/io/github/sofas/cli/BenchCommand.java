@@ -32,7 +32,8 @@ import picocli.CommandLine.Spec;
 /** Measures how fast recordings are decoded, labelled and written. */
 @Command(name = "bench", sortOptions = false,
     customSynopsis = "sofas bench [OPTION]... [RECORDING]...",
-    description = {"Measure the speed of decoding, labelling and writing, in one thread.",
+    description = {"Measure the speed of decoding, labelling and writing in one thread, and of labelling",
+        "with a helper.",
         "Without a recording, simulated scenes are measured; they are the same on every machine."},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {"0:everything was measured", "1:a recording failed; the others were measured", "2:wrong usage"})

@@ -59,7 +59,7 @@ public class BenchCommandTest {
         List<String> paths = jsonPaths();
         assertTrue(paths.contains("/machine/cpu"));
         assertTrue(paths.contains("/recordings/0/recording"));
-        for (String part : List.of("engine", "decode", "csv", "run")) {
+        for (String part : List.of("engine", "engine_helped", "decode", "csv", "run")) {
             assertTrue(part, paths.contains("/recordings/0/" + part + "/median_events_per_s"));
         }
         assertTrue("a recording named twice is measured once", paths.stream().noneMatch(p -> p.contains("/1/")));
