@@ -12,54 +12,16 @@ public class SpreadingTexturesTest {
     private final SpreadingTextures textures = new SpreadingTextures();
 
     /** A structure of a speed, which is tracked or not. */
-    private static final class Moving implements Structures.Structure {
-        private final double speed;
+    private static final class Moving extends StructureThatMoves {
         private boolean tracked = true;
 
         Moving(double speed) {
-            this.speed = speed;
-        }
-
-        @Override
-        public void addPast(int x, int y, long timeUs, int polarity) {
-        }
-
-        @Override
-        public void begin(long nowUs) {
-        }
-
-        @Override
-        public boolean expects(int x, int y, long timeUs, int polarity) {
-            return false;
+            super(speed);
         }
 
         @Override
         public boolean isTracked() {
             return tracked;
-        }
-
-        @Override
-        public double speed() {
-            return speed;
-        }
-
-        @Override
-        public double vxAt(int x, int y, long timeUs) {
-            return speed;
-        }
-
-        @Override
-        public double vyAt(int x, int y, long timeUs) {
-            return 0;
-        }
-
-        @Override
-        public boolean isAround(int x, int y, double marginPx, long nowUs) {
-            return false;
-        }
-
-        @Override
-        public void see(int x, int y, long timeUs, int polarity, long nowUs) {
         }
     }
 

@@ -19,8 +19,12 @@ public class StructureSearchTest {
     private static final int ROWS = 30;
 
     /** Takes every structure, and counts them. */
-    private static final class AllStructures implements Structures, Structures.Structure {
+    private static final class AllStructures extends StructureThatMoves implements Structures {
         private int begun;
+
+        AllStructures() {
+            super(100);
+        }
 
         @Override
         public boolean isFull() {
@@ -38,10 +42,6 @@ public class StructureSearchTest {
         }
 
         @Override
-        public void addPast(int x, int y, long timeUs, int polarity) {
-        }
-
-        @Override
         public void begin(long nowUs) {
             begun++;
         }
@@ -49,35 +49,6 @@ public class StructureSearchTest {
         @Override
         public boolean expects(int x, int y, long timeUs, int polarity) {
             return true;
-        }
-
-        @Override
-        public boolean isTracked() {
-            return true;
-        }
-
-        @Override
-        public double speed() {
-            return 100;
-        }
-
-        @Override
-        public double vxAt(int x, int y, long timeUs) {
-            return 100;
-        }
-
-        @Override
-        public double vyAt(int x, int y, long timeUs) {
-            return 0;
-        }
-
-        @Override
-        public boolean isAround(int x, int y, double marginPx, long nowUs) {
-            return true;
-        }
-
-        @Override
-        public void see(int x, int y, long timeUs, int polarity, long nowUs) {
         }
     }
 

@@ -42,42 +42,17 @@ public class SurroundingsTest {
     }
 
     /** Takes events, and keeps their times. */
-    private static final class Taker implements Structures.Structure {
+    private static final class Taker extends StructureThatMoves {
         private final List<Long> times = new ArrayList<>();
         private final List<Long> seen = new ArrayList<>();
+
+        Taker() {
+            super(100);
+        }
 
         @Override
         public void addPast(int x, int y, long timeUs, int polarity) {
             times.add(timeUs);
-        }
-
-        @Override
-        public void begin(long nowUs) {
-        }
-
-        @Override
-        public boolean expects(int x, int y, long timeUs, int polarity) {
-            return false;
-        }
-
-        @Override
-        public boolean isTracked() {
-            return true;
-        }
-
-        @Override
-        public double speed() {
-            return 100;
-        }
-
-        @Override
-        public double vxAt(int x, int y, long timeUs) {
-            return 100;
-        }
-
-        @Override
-        public double vyAt(int x, int y, long timeUs) {
-            return 0;
         }
 
         @Override

@@ -1,0 +1,52 @@
+package io.github.sofas.flow.search;
+
+/** A structure that is tracked, moves right at a speed, and takes nothing: what tests of the search extend. */
+class StructureThatMoves implements Structures.Structure {
+    private final double speed;
+
+    StructureThatMoves(double speed) {
+        this.speed = speed;
+    }
+
+    @Override
+    public void addPast(int x, int y, long timeUs, int polarity) {
+    }
+
+    @Override
+    public void begin(long nowUs) {
+    }
+
+    @Override
+    public boolean expects(int x, int y, long timeUs, int polarity) {
+        return false;
+    }
+
+    @Override
+    public boolean isTracked() {
+        return true;
+    }
+
+    @Override
+    public double speed() {
+        return speed;
+    }
+
+    @Override
+    public double vxAt(int x, int y, long timeUs) {
+        return speed;
+    }
+
+    @Override
+    public double vyAt(int x, int y, long timeUs) {
+        return 0;
+    }
+
+    @Override
+    public boolean isAround(int x, int y, double marginPx, long nowUs) {
+        return true;
+    }
+
+    @Override
+    public void see(int x, int y, long timeUs, int polarity, long nowUs) {
+    }
+}
