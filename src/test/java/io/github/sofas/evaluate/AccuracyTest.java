@@ -139,6 +139,12 @@ public class AccuracyTest {
     }
 
     @Test
+    public void edgesThatAreAllButParallelAreNotTakenForOneThatSlidesAlongThem() {
+        assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(67), 10.61, 0.38, 12.50, 25.27);
+        assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(307), 7.48, 0.46, 12.31, 26.40);
+    }
+
+    @Test
     public void publishedMethodIsAsRightAsItCanBe() {
         SofasParameters paper = SofasParameters.paper();
         assertReaches(Scene.HEXAGON, PLAIN, paper, 4.96, 2.71, 2.85, 0.00);

@@ -11,10 +11,15 @@ import java.util.Arrays;
  * <p>With velocities vi of their centres, losses Li by other velocities, li by other rotations and gi by other growths,
  * it is the v, omega and growth about the point between them that make the sum over both of
  * (v + omega x r + growth r - vi)' Li (v + omega x r + growth r - vi) + li (omega - omegai)² + gi (growth - growthi)²
- * least: four linear equations.
+ * least: four linear equations. There Li has a little of itself all round, so that no velocity is made up along edges.
  */
 public final class CommonMotion {
     private static final int N = 4;
+    /**
+     * Share of what is known of a structure's velocity by which it is held in every direction: two edges that are all
+     * but parallel have a velocity in common, however fast each is, but far along themselves, where neither shows it.
+     */
+    private static final double HELD = 0.01;
 
     private final Motion first = new Motion();
     private final Motion second = new Motion();
@@ -105,9 +110,12 @@ public final class CommonMotion {
     /** Adds what one structure knows. */
     private void add(Motion its, MotionLoss loss) {
         relate(its);
+        double held = HELD * (loss.xx + loss.yy);
+        double xx = loss.xx + held;
+        double yy = loss.yy + held;
         for (int i = 0; i < N; i++) {
-            double lx = loss.xx * toVx[i] + loss.xy * toVy[i];
-            double ly = loss.xy * toVx[i] + loss.yy * toVy[i];
+            double lx = xx * toVx[i] + loss.xy * toVy[i];
+            double ly = loss.xy * toVx[i] + yy * toVy[i];
             for (int j = 0; j < N; j++) {
                 a[i][j] += lx * toVx[j] + ly * toVy[j];
             }
