@@ -2,7 +2,6 @@ package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
-import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 import java.util.List;
 
@@ -31,13 +30,14 @@ final class Competition {
     private static final double PRIOR = 2.7;
     /** What events count for that have no label yet, and those of another segment. */
     private static final double NOBODYS = 0.7;
-    private static final double OTHERS = 0.3;
+    private static final double OTHERS = 0.6;
     /** Travel during the look-ahead below which a segment's past and future do not show, in px. */
-    private static final double LEAST_TRAVEL_PX = 3;
+    private static final double LEAST_TRAVEL_PX = 2;
     /** Room around a segment's box in px. */
-    private static final int MARGIN_PX = 4;
+    private static final int MARGIN_PX = 8;
     /** Steps of the projection a part. */
     private static final int STEPS = 4;
+    private static final int MOST_STEPS = (TraceMap.PARTS + 1) * STEPS;
 
     private static final int OPEN = 0;
     private static final int DECIDED = -1;
@@ -45,12 +45,8 @@ final class Competition {
     private final EventWindow window;
     private final Labels labels;
     private final TraceMap map;
-    private final SteppedProjection projection = new SteppedProjection();
+    private final PathProjection projection = new PathProjection();
     private final Motion motion = new Motion();
-    private final double[] cos = new double[(TraceMap.PARTS + 1) * STEPS];
-    private final double[] sin = new double[(TraceMap.PARTS + 1) * STEPS];
-    private final double[] shiftX = new double[(TraceMap.PARTS + 1) * STEPS];
-    private final double[] shiftY = new double[(TraceMap.PARTS + 1) * STEPS];
     // of the events of the slice
     private double[] claim = new double[1024];
     private int[] winner = new int[1024];
@@ -58,7 +54,6 @@ final class Competition {
     private int ownLabel;
     // of the block that is looked at
     private long fromUs;
-    private double stepsPerUs;
     private double left;
     private double top;
     private double right;
@@ -85,6 +80,12 @@ final class Competition {
      */
     void decide(List<Slice> slices, int index, Iterable<SegmentPath> paths, long sideUs) {
         Slice slice = slices.get(index);
+        for (SegmentPath path : paths) {
+            if (!slice.has(path.id()) && findBox(path, slices, index)) {
+                slice.open(tile(left, slice.columns()), tile(top, slice.rows()), tile(right, slice.columns()),
+                    tile(bottom, slice.rows()));
+            }
+        }
         if (!open(slice)) {
             return;
         }
@@ -207,17 +208,8 @@ final class Competition {
 
     private void claimBlock(SegmentPath path, List<Slice> slices, int index, long a, long b, long sideUs, long partUs,
                             boolean shows) {
-        path.bending((a + b) / 2, Math.max(1, sideUs / 2), motion);
         fromUs = a - sideUs;
-        stepsPerUs = (double) STEPS / partUs;
-        for (int step = 0; step < cos.length; step++) {
-            projection.begin(motion, sideUs + (b - a), 1, 1);
-            projection.goTo(fromUs + Math.round((step + 0.5) / stepsPerUs));
-            cos[step] = projection.cos();
-            sin[step] = projection.sin();
-            shiftX[step] = projection.shiftX();
-            shiftY[step] = projection.shiftY();
-        }
+        projection.begin(path, (a + b) / 2, fromUs, (double) STEPS / partUs, MOST_STEPS);
         map.clear();
         for (int k = index; k >= 0 && slices.get(k).untilUs > fromUs; k--) {
             add(slices.get(k), slices.get(index), b + sideUs);
@@ -228,27 +220,21 @@ final class Competition {
         ask(path, slices.get(index), a, b, shows);
     }
 
-    /** Step of the projection at a time since the first that is looked at. */
-    private int step(long us) {
-        return Math.min(cos.length - 1, (int) (us * stepsPerUs));
-    }
-
     /** Adds the events of a slice to the map that fall in the box, and may meet open ones of another. */
     private void add(Slice slice, Slice asked, long untilUs) {
         // where the box is on the sensor during the slice
-        int first = step(Math.max(0, slice.fromUs - fromUs));
-        int last = step(Math.min(untilUs, slice.untilUs) - fromUs);
+        int first = projection.step(Math.max(0, slice.fromUs - fromUs));
+        int last = projection.step(Math.min(untilUs, slice.untilUs) - fromUs);
         double l = Double.POSITIVE_INFINITY;
         double r = Double.NEGATIVE_INFINITY;
         double t = Double.POSITIVE_INFINITY;
         double d = Double.NEGATIVE_INFINITY;
         for (int step = first; step <= last; step += Math.max(1, last - first)) {
             for (int corner = 0; corner < 4; corner++) {
-                double x = ((corner & 1) == 0 ? left : right) - shiftX[step];
-                double y = ((corner & 2) == 0 ? top : bottom) - shiftY[step];
-                double scale = cos[step] * cos[step] + sin[step] * sin[step];
-                double atX = (cos[step] * x - sin[step] * y) / scale;
-                double atY = (sin[step] * x + cos[step] * y) / scale;
+                double x = (corner & 1) == 0 ? left : right;
+                double y = (corner & 2) == 0 ? top : bottom;
+                double atX = projection.backX(step, x, y);
+                double atY = projection.backY(step, x, y);
                 l = Math.min(l, atX);
                 r = Math.max(r, atX);
                 t = Math.min(t, atY);
@@ -277,11 +263,11 @@ final class Competition {
             if (afterUs >= until) {
                 return;
             }
-            int step = step(sinceFromUs + afterUs);
+            int step = projection.step(sinceFromUs + afterUs);
             int eventX = slice.x(j);
             int eventY = slice.y(j);
-            double x = cos[step] * eventX + sin[step] * eventY + shiftX[step];
-            double y = cos[step] * eventY - sin[step] * eventX + shiftY[step];
+            double x = projection.x(step, eventX, eventY);
+            double y = projection.y(step, eventX, eventY);
             if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
                 int whose = window.label[window.at(slice.event(j))];
                 map.add(x, y, slice.isOn(j), Math.min(TraceMap.PARTS - 1, step / STEPS),
@@ -309,11 +295,11 @@ final class Competition {
             if (afterUs >= b - slice.fromUs) {
                 return;
             }
-            int step = step(slice.fromUs - fromUs + afterUs);
+            int step = projection.step(slice.fromUs - fromUs + afterUs);
             int eventX = slice.x(j);
             int eventY = slice.y(j);
-            double x = cos[step] * eventX + sin[step] * eventY + shiftX[step];
-            double y = cos[step] * eventY - sin[step] * eventX + shiftY[step];
+            double x = projection.x(step, eventX, eventY);
+            double y = projection.y(step, eventX, eventY);
             if (x < left || x > right || y < top || y > bottom) {
                 continue;
             }

@@ -162,10 +162,30 @@ final class Slice {
             open[t] |= unlabelled > UNEXPLAINED * (unlabelled + about / 3.0);
         }
         for (int t = 0; t < labelled.length; t++) {
-            for (int r = firstRow(t); r <= lastRow(t) && open[t]; r++) {
-                for (int c = firstColumn(t); c <= lastColumn(t); c++) {
-                    nearOpen[r * columns + c] = true;
-                }
+            if (open[t]) {
+                openAround(t);
+            }
+        }
+    }
+
+    /**
+     * Opens the tiles of a box, which a segment may have events in that was not found yet, or was lost.
+     *
+     * @param left column of its first tiles; right is that of its last ones, and so on
+     */
+    void open(int left, int top, int right, int bottom) {
+        for (int row = top; row <= bottom; row++) {
+            for (int column = left; column <= right; column++) {
+                open[row * columns + column] = true;
+                openAround(row * columns + column);
+            }
+        }
+    }
+
+    private void openAround(int tile) {
+        for (int r = firstRow(tile); r <= lastRow(tile); r++) {
+            for (int c = firstColumn(tile); c <= lastColumn(tile); c++) {
+                nearOpen[r * columns + c] = true;
             }
         }
     }

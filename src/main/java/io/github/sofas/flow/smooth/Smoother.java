@@ -258,7 +258,7 @@ public final class Smoother {
                 near.add(path);
             }
         }
-        competition.decide(slices, index, near, FIRST_LOOK * sliceUs);
+        competition.decide(slices, index, near, AHEAD * sliceUs);
     }
 
     private void settle(Slice slice) {

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.smooth;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
@@ -94,6 +95,25 @@ public class CompetitionTest {
         slices.addAll(found);
         for (int k = 0; k < slices.size(); k++) {
             competition.decide(slices, k, paths, 100_000);
+        }
+        assertEquals(29 * 20, countOf(1, 0));
+        assertEquals(29 * 20, countOf(2, 1));
+    }
+
+    @Test
+    public void eventsThatAnotherHadBeforeASegmentWasFoundAreIts() {
+        film(30, 1, 2);
+        // until 150 ms the edges are a tile apart, and nothing tells that another segment may have events there
+        for (long i = 0; i < slices.get(2).until; i++) {
+            window.give(window.at(i), 2, 2);
+        }
+        for (int k = 0; k < 3; k++) {
+            Slice slice = slices.get(k);
+            slices.set(k, new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs));
+            assertFalse(slices.get(k).isOpen(0));
+        }
+        for (int k = slices.size() - 1; k >= 0; k--) {
+            competition.decide(slices, k, paths, 200_000);
         }
         assertEquals(29 * 20, countOf(1, 0));
         assertEquals(29 * 20, countOf(2, 1));

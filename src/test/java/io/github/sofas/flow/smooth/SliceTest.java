@@ -86,6 +86,19 @@ public class SliceTest {
     }
 
     @Test
+    public void tilesOfABoxAreOpenedAndThoseAroundAreNear() {
+        add(90, 40, 40, 1);
+        Slice slice = slice();
+        slice.open(1, 0, 2, 0);
+        assertTrue(slice.isOpen(1));
+        assertTrue(slice.isOpen(2));
+        assertFalse(slice.isOpen(COLUMNS + 1));
+        assertTrue(slice.isNearOpen(COLUMNS + 3));
+        assertFalse(slice.isNearOpen(4));
+        assertFalse(slice.isNearOpen(2 * COLUMNS + 1));
+    }
+
+    @Test
     public void boxHoldsTheEventsOfASegment() {
         add(1, 40, 50, 1);
         add(1, 60, 45, 1);

@@ -1,0 +1,103 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.flow.motion.Motion;
+
+/**
+ * Where events of a segment were or will be at a reference time, along its path, in steps of time. A path bends more
+ * than one motion with its acceleration says: what swings once a second is a px off after 0.2 s.
+ */
+final class PathProjection {
+    private static final int MOST_STEPS = 128;
+
+    private final double[] cos = new double[MOST_STEPS];
+    private final double[] sin = new double[MOST_STEPS];
+    private final double[] shiftX = new double[MOST_STEPS];
+    private final double[] shiftY = new double[MOST_STEPS];
+    private final Motion motion = new Motion();
+    private long fromUs;
+    private double stepsPerUs;
+    private int steps;
+    // composed so far: from a time to the reference
+    private double c;
+    private double s;
+    private double x;
+    private double y;
+
+    /**
+     * Begins with a reference.
+     *
+     * @param from first time that is asked for, in µs; not after the reference
+     * @param perUs steps in a µs
+     * @param count steps, at most {@value #MOST_STEPS}
+     */
+    void begin(SegmentPath path, long referenceUs, long from, double perUs, int count) {
+        fromUs = from;
+        stepsPerUs = perUs;
+        steps = count;
+        int first = Math.min(count, (int) Math.ceil((referenceUs - from) * perUs - 0.5));
+        compose(path, referenceUs, first, count, 1);
+        compose(path, referenceUs, first - 1, -1, -1);
+    }
+
+    /** Composes steps from the reference on, forwards or backwards. */
+    private void compose(SegmentPath path, long referenceUs, int first, int end, int by) {
+        c = 1;
+        s = 0;
+        x = 0;
+        y = 0;
+        long us = referenceUs;
+        for (int step = first; step != end; step += by) {
+            long nextUs = fromUs + Math.round((step + 0.5) / stepsPerUs);
+            path.at(us + (nextUs - us) / 2, motion);
+            add((nextUs - us) * 1e-6);
+            us = nextUs;
+            cos[step] = c;
+            sin[step] = s;
+            shiftX[step] = x;
+            shiftY[step] = y;
+        }
+    }
+
+    /** Goes on by so many s, whose middle the motion is of. */
+    private void add(double seconds) {
+        double shrunk = Math.exp(-motion.growth * seconds);
+        double stepC = shrunk * Math.cos(motion.omega * seconds);
+        double stepS = shrunk * Math.sin(motion.omega * seconds);
+        double wayX = 0.5 * seconds * motion.vx;
+        double wayY = 0.5 * seconds * motion.vy;
+        double toX = motion.centreX - wayX - stepC * (motion.centreX + wayX) - stepS * (motion.centreY + wayY);
+        double toY = motion.centreY - wayY - stepC * (motion.centreY + wayY) + stepS * (motion.centreX + wayX);
+        x += c * toX + s * toY;
+        y += c * toY - s * toX;
+        double newC = c * stepC - s * stepS;
+        s = c * stepS + s * stepC;
+        c = newC;
+    }
+
+    /** Step at a time in µs since the first that is asked for. */
+    int step(long us) {
+        return Math.min(steps - 1, (int) (us * stepsPerUs));
+    }
+
+    /** Column, at the reference, of what is at a place at a step. */
+    double x(int step, int atX, int atY) {
+        return cos[step] * atX + sin[step] * atY + shiftX[step];
+    }
+
+    /** Row. */
+    double y(int step, int atX, int atY) {
+        return cos[step] * atY - sin[step] * atX + shiftY[step];
+    }
+
+    /** Column, at a step, of what is at a place at the reference. */
+    double backX(int step, double atX, double atY) {
+        double scale = cos[step] * cos[step] + sin[step] * sin[step];
+        return (cos[step] * (atX - shiftX[step]) - sin[step] * (atY - shiftY[step])) / scale;
+    }
+
+    /** Row. */
+    double backY(int step, double atX, double atY) {
+        double scale = cos[step] * cos[step] + sin[step] * sin[step];
+        return (sin[step] * (atX - shiftX[step]) + cos[step] * (atY - shiftY[step])) / scale;
+    }
+}
