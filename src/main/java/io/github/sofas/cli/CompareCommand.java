@@ -143,8 +143,10 @@ final class CompareCommand implements Callable<Integer> {
     }
 
     private Labelled engine(MethodChoice method) throws EventSourceException {
-        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions())) {
-            LabelledSource source = new LabelledSource(reader, method.labelling(reader.sensor(), ended -> { }));
+        try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions());
+                LookAheadInTwo ahead = method.inTwo(reader.sensor())) {
+            LabelledSource source = new LabelledSource(reader,
+                ahead != null ? ahead : method.labelling(reader.sensor(), ended -> { }));
             String name = method.looksAhead() ? ENGINE_AHEAD : ENGINE;
             EventSourceException damage = null;
             EventBatch batch = new EventBatch(BATCH);

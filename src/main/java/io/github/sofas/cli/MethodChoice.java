@@ -38,6 +38,11 @@ record MethodChoice(String method, String preset, Map<String, Object> parameters
         return looksAhead() ? ahead(sensor, ended) : Labelling.atOnce(make(sensor, ended));
     }
 
+    /** Makes it with the look-ahead that was chosen, in two threads; null where none was. */
+    LookAheadInTwo inTwo(SensorSize sensor) {
+        return looksAhead() ? new LookAheadInTwo(ahead(sensor, ended -> { })) : null;
+    }
+
     /** Makes it with the look-ahead that was chosen. */
     SmoothedSofas ahead(SensorSize sensor, Consumer<Segment> ended) {
         return aheadMaker.apply(sensor, ended);

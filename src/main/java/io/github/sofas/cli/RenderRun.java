@@ -105,7 +105,8 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
         long start = System.nanoTime();
         try (RecordingReader reader = Recordings.open(recording, options);
                 StoredLabels labelled = flow == null ? null : StoredLabels.open(flow, recording, reader, BATCH);
-                Film film = film(files)) {
+                Film film = film(files);
+                LookAheadInTwo inTwo = flow == null ? method.inTwo(reader.sensor()) : null) {
             SensorSize sensor = reader.sensor();
             PictureSheet sheet = new PictureSheet(sensor, pictures);
             Queue<GreyFrame> frames = new ArrayDeque<>();
@@ -117,16 +118,14 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     }
                 });
             }
-            boolean looksAhead = labelled == null && method.looksAhead();
-            LabelledSource ahead = looksAhead
-                ? new LabelledSource(reader, method.labelling(sensor, ended -> { })) : null;
-            EventLabeller labeller = labelled == null && !looksAhead ? method.make(sensor, ended -> { }) : null;
+            LabelledSource ahead = inTwo != null ? new LabelledSource(reader, inTwo) : null;
+            EventLabeller labeller = labelled == null && ahead == null ? method.make(sensor, ended -> { }) : null;
             Shooting shooting = new Shooting(sheet, film, timing, labeller, frames);
             EventBatch batch = new EventBatch(BATCH);
             FlowOutput labels = new FlowOutput(BATCH);
             EventSourceException damage = null;
             try {
-                while (!shooting.isOver() && (looksAhead ? ahead.next(batch, labels)
+                while (!shooting.isOver() && (ahead != null ? ahead.next(batch, labels)
                         : labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
                     shooting.take(batch, labels);
                     progress.reached(reader.bytesRead());
