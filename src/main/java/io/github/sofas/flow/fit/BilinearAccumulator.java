@@ -13,8 +13,8 @@ import java.util.Arrays;
  */
 final class BilinearAccumulator {
     /** Positions are in sixteenths of a cell. */
-    private static final int SUB = 16;
-    private static final int SUB_BITS = 4;
+    static final int SUB = 16;
+    static final int SUB_BITS = 4;
     /** Most cells around the events, for their shifts; twice the greatest distance of projections and a step. */
     private static final int MOST_BORDER = 20;
     /** Shifts are worked out in parts of a position of 2^-this. */
@@ -22,6 +22,8 @@ final class BilinearAccumulator {
     private static final int HALF = 1 << PART_BITS - 1;
     /** Most parts that a shift of 1 may be: 64 cells for the event that is shifted most, far off the grid. */
     private static final double MOST_PARTS = (1 << 31 - ShiftProfile.BITS) - 1;
+    /** Most cells for each event of {@link DenseVotes}: looking through more costs what voting spares. */
+    private static final int DENSE_CELLS = 4;
     /** Most places that a structure tensor is added up from, in whole rows: as many as a sample has events. */
     private static final int MOST_PLACES = 4096;
 
@@ -41,6 +43,7 @@ final class BilinearAccumulator {
     private final int width;
     private final int height;
     private final int[] f;
+    private final DenseVotes dense = new DenseVotes();
     /** For votes of every other event. */
     private final int[] others;
     // box of the events
@@ -174,7 +177,9 @@ final class BilinearAccumulator {
         shift(placeX, alongX, partsX, offset - originX, atX);
         shift(placeY, alongY, partsY, offset - originY, atY);
         votes += size;
-        return vote() * (2.0 / (SUB * SUB * SUB * SUB));
+        boolean isDense = columns * rows <= Math.min(DenseVotes.MOST_CELLS, DENSE_CELLS * size);
+        long met = isDense ? dense.vote(atX, atY, vote, size, columns, rows) : vote();
+        return met * (2.0 / (SUB * SUB * SUB * SUB));
     }
 
     /** Apart from voting, because the compiler makes it work on several events at once. */

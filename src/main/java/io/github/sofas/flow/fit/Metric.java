@@ -42,7 +42,7 @@ final class Metric {
     /** Bytes of the arrays for up to a number of events. */
     static long bytes(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
         return 2L * Integer.BYTES * BilinearAccumulator.cells(sensorWidth, sensorHeight, cellPx)
-            + (long) capacity * EVENT_BYTES;
+            + DenseVotes.BYTES + (long) capacity * EVENT_BYTES;
     }
 
     int capacity() {
