@@ -81,7 +81,8 @@ final class Pieces {
 
     /** Numbers the pieces, from 1 on. */
     private int connect(short[] f, long squares, double thresholdSd) {
-        double threshold = threshold(f, squares, thresholdSd);
+        // whole numbers reach it where they reach the next whole one
+        int threshold = (int) Math.ceil(threshold(f, squares, thresholdSd));
         int pieces = 0;
         filled = 0;
         texture.clear();
