@@ -12,8 +12,6 @@ import io.github.sofas.flow.motion.Motion;
 public final class MotionChange {
     /** Shift of the end of the window by a newly measured change that is half taken over at once, in px. */
     private static final double NEWS_PX = 1;
-    /** Shift at the end of the window by a change of the rotation that may be noise: it is known least of all. */
-    private static final double SPIN_PX = 0.15;
     /** Part of new evidence that is taken over with each measurement. */
     private static final double EVIDENCE_GAIN = 0.3;
     /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
@@ -27,10 +25,12 @@ public final class MotionChange {
     private static final int STRUCTURE_EVERY = 2;
     /** Distance of the projections that measure a change, at the end of the window. */
     private static final double CHANGE_PX = 1.5;
-    /** Share of a newly measured change that is taken over: successive windows share most events. */
+    /** Share of a newly measured acceleration that is taken over: successive windows share most events. */
     private static final double CHANGE_GAIN = 0.5;
     /** Shift at the end of the window by a change that may be noise: most motion is steady. */
     private static final double BEND_PX = 0.07;
+    /** The same by rotation, growth and their changes. */
+    private static final double TURN_PX = 0.05;
     /** Knowledge of a change, as a share of the best known, at which it counts half. */
     private static final double FLAT_CHANGE = 0.1;
     /** What is left of a change with each measurement that cannot be made. */
@@ -41,11 +41,10 @@ public final class MotionChange {
     // as measured, before what may be noise is left out
     private double along;
     private double across;
-    private double omega;
     private double alpha;
-    private double growth;
     /** The acceleration across as far as it is known. */
     private double shownAcross;
+    private final SeriesSlope growthSlope = new SeriesSlope();
     private final StructureTensor structure = new StructureTensor();
     private int measurements;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
@@ -57,9 +56,8 @@ public final class MotionChange {
     public void restart() {
         along = 0;
         across = 0;
-        omega = 0;
         alpha = 0;
-        growth = 0;
+        growthSlope.restart();
         shownAcross = 0;
         evidence = 0;
         radius = 0;
@@ -101,20 +99,22 @@ public final class MotionChange {
         double turned = motion.omega;
         double grown = motion.growth;
         double turns = 0;
+        double grows = 0;
         double newOmega = 0;
         double newGrowth = 0;
         if (p.rotation()) {
             Parabola fitted = fit.fitRotation(perPx * CHANGE_PX);
-            omega = taken(omega, turned + fitted.step(), perPx);
+            double omega = turned + fitted.step();
             turns = gained(fitted.loss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
-            newOmega = believed(omega, perPx, BEND_PX) * turns;
+            newOmega = believed(omega, perPx, TURN_PX) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
             Parabola fitted = fit.fitGrowth(perPx * CHANGE_PX);
-            growth = taken(growth, grown + fitted.step(), perPx);
-            newGrowth = believed(growth, perPx, BEND_PX)
-                * gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
+            double growth = grown + fitted.step();
+            growthSlope.measured(growth, motion.referenceUs, fitted.step() / perPx, half);
+            grows = gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
+            newGrowth = believed(growth, perPx, TURN_PX) * grows;
             loss.grow = fitted.loss();
         }
         boolean mayShow = Math.max(Math.abs(newOmega), Math.abs(newGrowth)) > LEAST_SHOWN_PX * perPx;
@@ -124,11 +124,12 @@ public final class MotionChange {
         double sure = sure();
         motion.omega = sure * newOmega;
         motion.growth = sure * newGrowth;
+        motion.growthChange = sure * grows * believed(growthSlope.perS(), perPx / half, TURN_PX);
         if (p.rotation() && p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
             double step = fit.fitSpin(perPxOfSpin * CHANGE_PX).step();
             alpha = taken(alpha, motion.alpha + step, perPxOfSpin);
-            motion.alpha = believed(alpha, perPxOfSpin, SPIN_PX) * turns * sure;
+            motion.alpha = believed(alpha, perPxOfSpin, TURN_PX) * turns * sure;
         }
     }
 
@@ -162,20 +163,19 @@ public final class MotionChange {
         along *= HELD;
         across *= HELD;
         shownAcross *= HELD;
-        omega *= HELD;
         alpha *= HELD;
-        growth *= HELD;
         motion.ax *= HELD;
         motion.ay *= HELD;
         motion.omega *= HELD;
         motion.alpha *= HELD;
         motion.growth *= HELD;
+        motion.growthChange *= HELD;
+        growthSlope.hold(HELD);
     }
 
-    /** Goes on from a rotation and a growth that are known from elsewhere, in rad/s and 1/s. */
-    public void take(Motion known) {
-        omega = known.omega;
-        growth = known.growth;
+    /** Goes on with a motion that is known from elsewhere, which is no measurement of how it changes. */
+    public void take() {
+        growthSlope.skip();
     }
 
     /** Shift at the end of the window by the acceleration and by the change of the rotation, in px. */

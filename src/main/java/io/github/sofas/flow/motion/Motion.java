@@ -6,7 +6,8 @@ package io.github.sofas.flow.motion;
  *
  * <p>A point at r from the centre has the velocity v + omega x r + growth r. Seen from a reference time t0, with
  * dt = t - t0, an event at u of time t was or will be at
- * exp(-growth dt) R(-omega dt - alpha dt²/2) (u - c - v dt - a dt²/2) + c ({@link SteppedProjection}).
+ * exp(-growth dt - growthChange dt²/2) R(-omega dt - alpha dt²/2) (u - c - v dt - a dt²/2) + c
+ * ({@link SteppedProjection}).
  */
 public final class Motion {
     /** t0 in µs. */
@@ -23,6 +24,8 @@ public final class Motion {
     public double alpha;
     /** Growth in 1/s, half the divergence of the flow; of what comes nearer 1/growth is the time to contact. */
     public double growth;
+    /** Change of the growth in 1/s². */
+    public double growthChange;
     /** Centre of rotation and growth at t0 in px. */
     public double centreX;
     public double centreY;
@@ -37,6 +40,7 @@ public final class Motion {
         omega = 0;
         alpha = 0;
         growth = 0;
+        growthChange = 0;
     }
 
     /** Becomes the same as another. */
@@ -49,6 +53,7 @@ public final class Motion {
         omega = other.omega;
         alpha = other.alpha;
         growth = other.growth;
+        growthChange = other.growthChange;
         centreX = other.centreX;
         centreY = other.centreY;
     }
@@ -61,6 +66,7 @@ public final class Motion {
         vx += ax * dt;
         vy += ay * dt;
         omega += alpha * dt;
+        growth += growthChange * dt;
         referenceUs = timeUs;
     }
 
@@ -78,14 +84,14 @@ public final class Motion {
     public float vxAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
         return (float) (vx + ax * dt - (omega + alpha * dt) * (y - centreY - vy * dt)
-            + growth * (x - centreX - vx * dt));
+            + (growth + growthChange * dt) * (x - centreX - vx * dt));
     }
 
     /** The same, downwards. */
     public float vyAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
         return (float) (vy + ay * dt + (omega + alpha * dt) * (x - centreX - vx * dt)
-            + growth * (y - centreY - vy * dt));
+            + (growth + growthChange * dt) * (y - centreY - vy * dt));
     }
 
     /** Speed in px/s, root of the mean square over points whose distance from the centre has that of radius. */

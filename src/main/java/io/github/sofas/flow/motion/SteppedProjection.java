@@ -26,7 +26,8 @@ public final class SteppedProjection {
         motion.copyFrom(along);
         double span = spanUs * 1e-6;
         double gained = Math.sqrt(motion.ax * motion.ax + motion.ay * motion.ay) * span;
-        double turning = Math.abs(motion.omega) + Math.abs(motion.alpha) * span + Math.abs(motion.growth);
+        double turning = Math.abs(motion.omega) + Math.abs(motion.alpha) * span + Math.abs(motion.growth)
+            + Math.abs(motion.growthChange) * span;
         double pxPerS = Math.sqrt(motion.vx * motion.vx + motion.vy * motion.vy) + gained + turning * radius;
         stepUs = (long) Math.min(1 + spanUs, stepPx / Math.max(pxPerS, 1e-3) * 1e6);
         fromUs = 0;
@@ -51,7 +52,7 @@ public final class SteppedProjection {
 
     private void step(double dt) {
         double turn = (motion.omega + 0.5 * motion.alpha * dt) * dt;
-        double grown = motion.growth * dt;
+        double grown = (motion.growth + 0.5 * motion.growthChange * dt) * dt;
         // sine, cosine and the exponential to a few parts in 10,000 of half a turn, and of a growth by a half
         double square = turn * turn;
         double scale = 1 - grown * (1 - grown * (0.5 - grown * (1.0 / 6 - grown / 24)));

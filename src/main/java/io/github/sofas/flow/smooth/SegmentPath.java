@@ -225,6 +225,7 @@ final class SegmentPath {
             to.ax = 0;
             to.ay = 0;
             to.alpha = 0;
+            to.growthChange = 0;
             to.moveReference(us);
             return;
         }
@@ -240,11 +241,12 @@ final class SegmentPath {
         to.ax = ax;
         to.ay = ay;
         to.alpha = (b.omega - a.omega) / seconds;
+        to.growthChange = (b.growth - a.growth) / seconds;
         to.moveReference(us);
-        to.growth += (b.growth - a.growth) * (us - a.referenceUs) * 1e-6 / seconds;
         to.ax = 0;
         to.ay = 0;
         to.alpha = 0;
+        to.growthChange = 0;
     }
 
     /** The motion at a time, changing as it does in the mean from a time before to as long after. */
@@ -258,5 +260,6 @@ final class SegmentPath {
         to.ax = (after.vx - before.vx) / (2e-6 * sideUs);
         to.ay = (after.vy - before.vy) / (2e-6 * sideUs);
         to.alpha = (after.omega - before.omega) / (2e-6 * sideUs);
+        to.growthChange = (after.growth - before.growth) / (2e-6 * sideUs);
     }
 }

@@ -137,9 +137,9 @@ final class Measurement {
         change.hold(motion);
     }
 
-    /** Goes on with the motion that this structure and another have in common. */
-    void take(Motion common) {
-        change.take(common);
+    /** Goes on with the motion that this structure and another have in common, which was not measured. */
+    void takeCommon() {
+        change.take();
     }
 
     /**

@@ -394,7 +394,7 @@ public final class TrackPlane {
      */
     LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, long nowUs) {
         motion.copyFrom(common);
-        measurement.take(common);
+        measurement.takeCommon();
         spare.fillFrom(live, other.live);
         LiveEvents used = live;
         live = spare;

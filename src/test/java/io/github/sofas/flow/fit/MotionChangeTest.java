@@ -174,12 +174,14 @@ public class MotionChangeTest {
         motion.omega = -2;
         motion.alpha = 10;
         motion.growth = 0.5;
+        motion.growthChange = 0.3;
         change.hold(motion);
         assertEquals(80, motion.ax, 1e-9);
         assertEquals(-40, motion.ay, 1e-9);
         assertEquals(-1.6, motion.omega, 1e-9);
         assertEquals(8, motion.alpha, 1e-9);
         assertEquals(0.4, motion.growth, 1e-9);
+        assertEquals(0.24, motion.growthChange, 1e-9);
     }
 
     @Test

@@ -53,17 +53,21 @@ public class MotionTest {
         // and turns by 2 + 0.1 * 5 rad/s: 10 px right of it 25 px/s down
         motion.alpha = 5;
         assertEquals(-10 + 25, motion.vyAt(63, 39, 1_100_000), 1e-4);
+        // and grows by 0.5 + 0.1 * 2 1/s: 10 px right of it 7 px/s to the right
+        motion.growthChange = 2;
+        assertEquals(30 + 7, motion.vxAt(63, 39, 1_100_000), 1e-4);
     }
 
     @Test
     public void movedReferenceLeavesTheMotionAsItIs() {
         Motion motion = turningAndGrowing();
         motion.alpha = 5;
+        motion.growthChange = 0.2;
         Motion moved = new Motion();
         moved.copyFrom(motion);
         moved.moveReference(1_200_000);
         assertEquals(3, moved.omega, 1e-9);
-        assertEquals(0.5, moved.growth, 0);
+        assertEquals(0.54, moved.growth, 1e-9);
         for (long timeUs = 900_000; timeUs <= 1_300_000; timeUs += 100_000) {
             assertEquals(motion.vxAt(70, 25, timeUs), moved.vxAt(70, 25, timeUs), 1e-4);
             assertEquals(motion.vyAt(70, 25, timeUs), moved.vyAt(70, 25, timeUs), 1e-4);

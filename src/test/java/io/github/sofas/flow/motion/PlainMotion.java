@@ -16,7 +16,7 @@ public final class PlainMotion {
     public static Place project(Motion m, double x, double y, long timeUs) {
         double dt = (timeUs - m.referenceUs) * 1e-6;
         double turn = -(m.omega + 0.5 * m.alpha * dt) * dt;
-        double scale = Math.exp(-m.growth * dt);
+        double scale = Math.exp(-(m.growth + 0.5 * m.growthChange * dt) * dt);
         double rx = x - m.centreX - m.vx * dt - 0.5 * m.ax * dt * dt;
         double ry = y - m.centreY - m.vy * dt - 0.5 * m.ay * dt * dt;
         return new Place(m.centreX + scale * (Math.cos(turn) * rx - Math.sin(turn) * ry),
@@ -27,7 +27,7 @@ public final class PlainMotion {
     public static Place at(Motion m, double x, double y, long timeUs) {
         double dt = (timeUs - m.referenceUs) * 1e-6;
         double turn = (m.omega + 0.5 * m.alpha * dt) * dt;
-        double scale = Math.exp(m.growth * dt);
+        double scale = Math.exp((m.growth + 0.5 * m.growthChange * dt) * dt);
         double rx = x - m.centreX;
         double ry = y - m.centreY;
         return new Place(

@@ -19,6 +19,7 @@ public class SteppedProjectionTest {
         motion.omega = 1.5;
         motion.alpha = -8;
         motion.growth = 0.5;
+        motion.growthChange = 1.5;
         motion.centreX = 80;
         motion.centreY = 60;
         return motion;
@@ -112,8 +113,8 @@ public class SteppedProjectionTest {
         stepped.goTo(900_000);
         assertEquals(stepped.cos() * 70 + stepped.sin() * 30 + stepped.shiftX(), stepped.x(70, 30), 1e-9);
         assertEquals(stepped.cos() * 30 - stepped.sin() * 70 + stepped.shiftY(), stepped.y(70, 30), 1e-9);
-        // 0.1 s before, smaller by exp(-0.05), so scaled up by as much
-        assertEquals(Math.exp(0.05), Math.hypot(stepped.cos(), stepped.sin()), 1e-4);
+        // 0.1 s before, smaller by exp(-0.05 + 0.75 * 0.01), so scaled up by as much
+        assertEquals(Math.exp(0.0425), Math.hypot(stepped.cos(), stepped.sin()), 1e-4);
     }
 
     @Test

@@ -1,0 +1,70 @@
+package io.github.sofas.flow.fit;
+
+/**
+ * How fast a parameter of the motion changes, from one measurement of it to the next. Ours, because what comes near at
+ * a steady speed grows faster and faster, but within one window too little for its metric to show.
+ *
+ * <p>A mean of the slopes between measurements, over about one window; none until the parameter has settled, because
+ * the first measurements come from nothing and look like a steep rise.
+ */
+final class SeriesSlope {
+    /** Correction of a measurement at the end of the window, in px, above which the parameter has not settled. */
+    private static final double UNSETTLED_PX = 0.3;
+    /** Part of a window that must be new since it was unsettled. */
+    private static final double LEAST_NEWS = 0.3;
+
+    private double slope;
+    private double before;
+    private long beforeUs;
+    /** Whether there is a value before. */
+    private boolean follows;
+    /** Windows that were measured since the parameter settled. */
+    private double news;
+
+    /** Begins without measurements. */
+    void restart() {
+        slope = 0;
+        news = 0;
+        follows = false;
+    }
+
+    /**
+     * Takes a measurement.
+     *
+     * @param value of the parameter in the middle of the window
+     * @param timeUs the middle of the window; one that is no later than that before tells nothing of the slope
+     * @param movedPx correction of the parameter by this measurement, as a shift at the end of the window in px
+     * @param half half the window in s
+     */
+    void measured(double value, long timeUs, double movedPx, double half) {
+        double seconds = (timeUs - beforeUs) * 1e-6;
+        if (Math.abs(movedPx) > UNSETTLED_PX) {
+            slope = 0;
+            news = 0;
+        } else if (follows && seconds > 0) {
+            double part = Math.min(1, seconds / (2 * half));
+            news += part;
+            if (news > LEAST_NEWS) {
+                slope += part * ((value - before) / seconds - slope);
+            }
+        }
+        before = value;
+        beforeUs = timeUs;
+        follows = true;
+    }
+
+    /** Keeps a share of the slope where nothing can be measured. */
+    void hold(double share) {
+        slope *= share;
+    }
+
+    /** Goes on from a value that was not measured: what leads there is no slope. */
+    void skip() {
+        follows = false;
+    }
+
+    /** Change of the parameter a second; 0 where it is not known. */
+    double perS() {
+        return slope;
+    }
+}
