@@ -35,11 +35,16 @@ public final class Motion {
         referenceUs = timeUs;
         vx = newVx;
         vy = newVy;
+        omega = 0;
+        growth = 0;
+        hold();
+    }
+
+    /** Goes on as it is at the reference: neither velocity, nor rotation, nor growth changes. */
+    public void hold() {
         ax = 0;
         ay = 0;
-        omega = 0;
         alpha = 0;
-        growth = 0;
         growthChange = 0;
     }
 

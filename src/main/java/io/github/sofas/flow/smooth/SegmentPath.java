@@ -222,10 +222,7 @@ final class SegmentPath {
         int k = knotsUntil(us);
         if (k == 0 || k == knots.size()) {
             to.copyFrom(knots.get(Math.max(0, k - 1)));
-            to.ax = 0;
-            to.ay = 0;
-            to.alpha = 0;
-            to.growthChange = 0;
+            to.hold();
             to.moveReference(us);
             return;
         }
@@ -243,10 +240,7 @@ final class SegmentPath {
         to.alpha = (b.omega - a.omega) / seconds;
         to.growthChange = (b.growth - a.growth) / seconds;
         to.moveReference(us);
-        to.ax = 0;
-        to.ay = 0;
-        to.alpha = 0;
-        to.growthChange = 0;
+        to.hold();
     }
 
     /** The motion at a time, changing as it does in the mean from a time before to as long after. */
