@@ -255,24 +255,26 @@ final class Competition {
     }
 
     private void addTile(Slice slice, int tile, long untilUs) {
-        int end = slice.start(tile + 1);
-        int until = (int) Math.min(Integer.MAX_VALUE, untilUs - slice.fromUs);
+        int end = slice.firstFrom(tile, untilUs);
         long sinceFromUs = slice.fromUs - fromUs;
-        for (int j = slice.firstFrom(tile, fromUs); j < end; j++) {
-            int afterUs = slice.afterUs(j);
-            if (afterUs >= until) {
-                return;
-            }
-            int step = projection.step(sinceFromUs + afterUs);
-            int eventX = slice.x(j);
-            int eventY = slice.y(j);
-            double x = projection.x(step, eventX, eventY);
-            double y = projection.y(step, eventX, eventY);
-            if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
-                int whose = window.label[window.at(slice.event(j))];
-                map.add(x, y, slice.isOn(j), Math.min(TraceMap.PARTS - 1, step / STEPS),
-                    whose == 0 ? TraceMap.NOBODYS : whose == ownLabel ? TraceMap.OWN : TraceMap.OTHERS);
-            }
+        int j = slice.firstFrom(tile, fromUs);
+        while (j < end) {
+            int step = projection.step(sinceFromUs + slice.afterUs(j));
+            long stepUntilUs = projection.untilUs(step) - sinceFromUs;
+            int part = Math.min(TraceMap.PARTS - 1, step / STEPS);
+            projection.goTo(step);
+            do {
+                int eventX = slice.x(j);
+                int eventY = slice.y(j);
+                double x = projection.x(eventX, eventY);
+                double y = projection.y(eventX, eventY);
+                if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
+                    int whose = window.label[window.at(slice.event(j))];
+                    map.add(x, y, slice.isOn(j), part,
+                        whose == 0 ? TraceMap.NOBODYS : whose == ownLabel ? TraceMap.OWN : TraceMap.OTHERS);
+                }
+                j++;
+            } while (j < end && slice.afterUs(j) < stepUntilUs);
         }
     }
 

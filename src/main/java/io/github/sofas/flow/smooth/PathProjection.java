@@ -14,6 +14,11 @@ final class PathProjection {
     private final double[] shiftX = new double[MOST_STEPS];
     private final double[] shiftY = new double[MOST_STEPS];
     private final Motion motion = new Motion();
+    // of the step that it went to
+    private double atCos;
+    private double atSin;
+    private double atShiftX;
+    private double atShiftY;
     private long fromUs;
     private double stepsPerUs;
     private int steps;
@@ -77,6 +82,39 @@ final class PathProjection {
     /** Step at a time in µs since the first that is asked for. */
     int step(long us) {
         return Math.min(steps - 1, (int) (us * stepsPerUs));
+    }
+
+    /** First time after a step, in µs since the first that is asked for; never after the last step. */
+    long untilUs(int step) {
+        if (step == steps - 1) {
+            return Long.MAX_VALUE / 2;
+        }
+        long us = (long) ((step + 1) / stepsPerUs);
+        while (step(us) > step) {
+            us--;
+        }
+        while (step(us) <= step) {
+            us++;
+        }
+        return us;
+    }
+
+    /** Goes to a step, for many events of it. */
+    void goTo(int step) {
+        atCos = cos[step];
+        atSin = sin[step];
+        atShiftX = shiftX[step];
+        atShiftY = shiftY[step];
+    }
+
+    /** Column, at the reference, of what is at a place at the step that it went to. */
+    double x(int atX, int atY) {
+        return atCos * atX + atSin * atY + atShiftX;
+    }
+
+    /** Row. */
+    double y(int atX, int atY) {
+        return atCos * atY - atSin * atX + atShiftY;
     }
 
     /** Column, at the reference, of what is at a place at a step. */

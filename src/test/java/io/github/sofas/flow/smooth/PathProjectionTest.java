@@ -39,6 +39,21 @@ public class PathProjectionTest {
     }
 
     @Test
+    public void eventsOfAStepAreThoseBeforeTheNextOne() {
+        path.add(motion(0, 100));
+        projection.begin(path, REFERENCE_US, 0, 3.0 / 10_007, STEPS);
+        for (int step = 0; step < STEPS - 1; step++) {
+            long untilUs = projection.untilUs(step);
+            assertEquals(step, projection.step(untilUs - 1));
+            assertEquals(step + 1, projection.step(untilUs));
+            projection.goTo(step);
+            assertEquals(projection.x(step, 30, 7), projection.x(30, 7), 0);
+            assertEquals(projection.y(step, 30, 7), projection.y(30, 7), 0);
+        }
+        assertEquals(STEPS - 1, projection.step(projection.untilUs(STEPS - 1)));
+    }
+
+    @Test
     public void wayIsThatOfThePathHoweverItBends() {
         // 0 px/s until 100 ms, then evenly to 100 px/s at 200 ms, then evenly to 0 at 300 ms
         path.add(motion(0, 0));
