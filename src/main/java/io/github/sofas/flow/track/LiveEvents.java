@@ -11,8 +11,9 @@ package io.github.sofas.flow.track;
 final class LiveEvents {
     static final int CAPACITY = 1 << 14;
     /** Bytes of its arrays. */
-    static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES);
+    static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES);
     private static final int MASK = CAPACITY - 1;
+    private static final Claim[] CLAIMS = Claim.values();
     /** Part of the events that must stay, and that must go, for the tiles to be halved. */
     private static final int LEAST_PART = 4;
     /** Tiles are halved no further than this many times. */
@@ -23,8 +24,8 @@ final class LiveEvents {
     final short[] y = new short[CAPACITY];
     /** +1 or -1. */
     final byte[] sign = new byte[CAPACITY];
-    /** Why the event was taken. */
-    final Claim[] claim = new Claim[CAPACITY];
+    /** Why the event was taken, as the claim's ordinal: references would be told to the garbage collector. */
+    private final byte[] claim = new byte[CAPACITY];
     /** Hash of the tile that the event lies on. */
     private final int[] tile = new int[CAPACITY];
 
@@ -65,6 +66,11 @@ final class LiveEvents {
         return timeUs[index(size - 1)];
     }
 
+    /** Why an event was taken, by its index into the arrays. */
+    Claim claim(int i) {
+        return CLAIMS[claim[i]];
+    }
+
     /** Appends an event of a tile that is taken; where there is no room, half of the tiles are given up first. */
     void add(int eventX, int eventY, long eventUs, int polarity, Claim why, int tileHash) {
         if (isFull()) {
@@ -73,16 +79,16 @@ final class LiveEvents {
         if (!takes(tileHash)) {
             return;
         }
-        put(eventX, eventY, eventUs, polarity, why, tileHash);
+        put(eventX, eventY, eventUs, polarity, why.ordinal(), tileHash);
     }
 
-    private void put(int eventX, int eventY, long eventUs, int polarity, Claim why, int tileHash) {
+    private void put(int eventX, int eventY, long eventUs, int polarity, int why, int tileHash) {
         int i = head & MASK;
         timeUs[i] = eventUs;
         x[i] = (short) eventX;
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
-        claim[i] = why;
+        claim[i] = (byte) why;
         tile[i] = tileHash;
         head = head + 1 & MASK;
         size++;
@@ -148,13 +154,32 @@ final class LiveEvents {
         halvings = Math.max(a.halvings, b.halvings);
         int ka = 0;
         int kb = 0;
-        while (ka < a.size || kb < b.size) {
-            boolean first = kb == b.size || ka < a.size && a.timeUs[a.index(ka)] <= b.timeUs[b.index(kb)];
-            LiveEvents from = first ? a : b;
-            int i = from.index(first ? ka++ : kb++);
-            if (takes(from.tile[i])) {
-                add(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.claim[i], from.tile[i]);
+        while (ka < a.size && kb < b.size) {
+            if (a.timeUs[a.index(ka)] <= b.timeUs[b.index(kb)]) {
+                takeOver(a, ka++);
+            } else {
+                takeOver(b, kb++);
             }
+        }
+        while (ka < a.size) {
+            takeOver(a, ka++);
+        }
+        while (kb < b.size) {
+            takeOver(b, kb++);
+        }
+    }
+
+    private void takeOver(LiveEvents from, int k) {
+        int i = from.index(k);
+        int tileHash = from.tile[i];
+        if (takes(tileHash)) {
+            if (isFull()) {
+                makeRoom();
+                if (!takes(tileHash)) {
+                    return;
+                }
+            }
+            put(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.claim[i], tileHash);
         }
     }
 }

@@ -207,8 +207,9 @@ final class Measurement {
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
             int i = live.index(sampled(k, want, live.size()));
-            if (live.claim[i] != Claim.OWN) {
-                shared += live.claim[i] == Claim.SHARED ? 1 : 0;
+            Claim claim = live.claim(i);
+            if (claim != Claim.OWN) {
+                shared += claim == Claim.SHARED ? 1 : 0;
                 continue;
             }
             stepped.advance(live.timeUs[i]);
@@ -226,7 +227,7 @@ final class Measurement {
         int want = sample(live.size());
         for (int k = 0; k < want; k++) {
             int i = live.index(sampled(k, want, live.size()));
-            if (live.claim[i] == Claim.OWN) {
+            if (live.claim(i) == Claim.OWN) {
                 fit.add(live.x[i], live.y[i], (live.timeUs[i] - motion.referenceUs) * 1e-6f, 0, 0, live.sign[i]);
             }
         }

@@ -29,8 +29,8 @@ public class LiveEventsTest {
         assertEquals(8, live.x[second]);
         assertEquals(1, live.y[second]);
         assertEquals(-1, live.sign[second]);
-        assertEquals(Claim.SHARED, live.claim[second]);
-        assertEquals(Claim.REMEMBERED, live.claim[live.index(2)]);
+        assertEquals(Claim.SHARED, live.claim(second));
+        assertEquals(Claim.REMEMBERED, live.claim(live.index(2)));
     }
 
     @Test
@@ -144,7 +144,7 @@ public class LiveEventsTest {
         for (int k = 0; k < times.length; k++) {
             assertEquals(times[k], both.timeUs[both.index(k)]);
             assertEquals(columns[k], both.x[both.index(k)]);
-            assertEquals(columns[k] == 1 ? Claim.OWN : Claim.SHARED, both.claim[both.index(k)]);
+            assertEquals(columns[k] == 1 ? Claim.OWN : Claim.SHARED, both.claim(both.index(k)));
         }
     }
 
