@@ -1,5 +1,6 @@
 package io.github.sofas.flow;
 
+import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.search.Structures;
 import io.github.sofas.flow.track.FoundPlanes;
 import io.github.sofas.flow.track.TrackPlane;
@@ -67,13 +68,8 @@ final class FoundStructures implements Structures {
         }
 
         @Override
-        public double vxAt(int x, int y, long timeUs) {
-            return plane.motion().vxAt(x, y, timeUs);
-        }
-
-        @Override
-        public double vyAt(int x, int y, long timeUs) {
-            return plane.motion().vyAt(x, y, timeUs);
+        public void copyMotion(Motion motion) {
+            motion.copyFrom(plane.motion());
         }
 
         @Override

@@ -162,9 +162,13 @@ public final class FlowPlane {
         block.clear();
     }
 
-    /** Takes events out of the projections of a speed, by number, or keeps them out of it where it has not come yet. */
-    void takeOut(int ring, int[] numbers, int size) {
-        for (int a = 0; a < size; a++) {
+    /**
+     * Takes events out of the projections of a speed, or keeps them out of it where it has not come yet.
+     *
+     * @param numbers of the events, those of the places from one to before another
+     */
+    void takeOut(int ring, int[] numbers, int from, int to) {
+        for (int a = from; a < to; a++) {
             int e = numbers[a];
             if (!events.holds(e)) {
                 continue;

@@ -55,6 +55,11 @@ final class RecentEvents {
         return head;
     }
 
+    /** Number of the oldest event that is held. */
+    int oldest() {
+        return head - size;
+    }
+
     /** Time of the newest event. */
     long newestUs() {
         return timeUs[head - 1 & mask];
@@ -62,7 +67,7 @@ final class RecentEvents {
 
     /** Number of the oldest event that is held and not before a time. */
     int first(long fromUs) {
-        int low = head - size;
+        int low = oldest();
         int count = size;
         while (count > 0) {
             int half = count / 2;

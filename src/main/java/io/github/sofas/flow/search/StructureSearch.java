@@ -28,7 +28,7 @@ public final class StructureSearch {
     /** Votes that a look in vain may give for each unmatched event until the next. */
     private static final int VAIN_VOTES = 10;
 
-    private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OUT }
+    private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OVER, TAKING_OUT }
 
     private final FlowPlane plane;
     private final Projections projections;
@@ -38,8 +38,8 @@ public final class StructureSearch {
     private final long[] refusedUntil;
     private final Pieces pieces;
     private final PieceRefinement refinement;
-    private final Surroundings surroundings;
-    private final SpreadingTextures spreading = new SpreadingTextures();
+    private final TakingOver takingOver;
+    private final TakenEvents taken;
     private final MetricFit fit;
     private final Structures structures;
     private final VoteBudget budget;
@@ -57,11 +57,6 @@ public final class StructureSearch {
     private int count;
     private int from;
     private int size;
-
-    // events that a structure has got and that are to be taken out of the rings, and of how many they are
-    private int[] taken = new int[4096];
-    private int takenSize;
-    private int rings;
 
     /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
@@ -88,7 +83,8 @@ public final class StructureSearch {
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
-        surroundings = new Surroundings(plane.sensor(), plane.recent(), fit);
+        taken = new TakenEvents(plane);
+        takingOver = new TakingOver(plane, fit, structures, taken, budget);
     }
 
     /** Looks on with other parameters that leave the flow plane as it is. */
@@ -114,22 +110,33 @@ public final class StructureSearch {
     void run(long measuringVotes, boolean spreads) {
         mayBeSpread = spreads;
         budget.earn(measuringVotes);
+        if (stage == Stage.TAKING_OVER) {
+            takingOver.earn();
+        }
         while (budget.isLeft() && isBusy()) {
             work();
         }
     }
 
-    /** Lets a structure that is due look around itself, unless a look is under way. */
+    /**
+     * Lets a structure that is due begin to look around itself, unless a look is under way, and hands to one that is
+     * tracked some of what it has found there.
+     */
     void spread() {
         if (stage == Stage.IDLE) {
             spreadsOn();
         }
+        if (stage == Stage.TAKING_OVER) {
+            takingOver.handToTracked();
+        }
     }
 
-    /** Whether a look is under way or due. */
+    /** Whether a look is under way or due, and can go on. */
     private boolean isBusy() {
-        return stage != Stage.IDLE || plane.total() >= nextLook
-            || mayBeSpread && spreading.isAnyDue(plane.recent().newestUs());
+        if (stage == Stage.IDLE) {
+            return plane.total() >= nextLook || mayBeSpread && takingOver.isAnyDue();
+        }
+        return stage != Stage.TAKING_OVER || mayBeSpread || !takingOver.waits();
     }
 
     private void work() {
@@ -139,6 +146,9 @@ public final class StructureSearch {
                 break;
             case REFINING:
                 refine();
+                break;
+            case TAKING_OVER:
+                takeOver();
                 break;
             case TAKING_OUT:
                 takeOut();
@@ -254,7 +264,6 @@ public final class StructureSearch {
                 refuse();
             } else if (size >= p.minEvents() && !structures.isFull()) {
                 track();
-                beginToTakeOut();
             }
         }
     }
@@ -266,13 +275,19 @@ public final class StructureSearch {
     }
 
     private void track() {
-        takenSize = 0;
-        if (!(pieces.isTexture(piece) || plane.isThinned()) || !trackWithSurroundings()) {
+        if (pieces.isTexture(piece) || plane.isThinned()) {
+            takingOver.begin(refinement.vx(), refinement.vy());
+            for (int a = from; a < from + size; a++) {
+                takingOver.addPlace(pieces.events()[a]);
+            }
+            stage = Stage.TAKING_OVER;
+        } else {
             trackPiece();
         }
     }
 
     private void trackPiece() {
+        taken.clear();
         int last = pieces.events()[from + size - 1];
         Structures.Structure structure = structures.create(events.timeUs(last), refinement.vx(), refinement.vy());
         for (int a = from; a < from + size; a++) {
@@ -286,83 +301,52 @@ public final class StructureSearch {
                 hand(e, structure);
             }
         }
-    }
-
-    /** Tracks a piece of texture with all that moves alike around it; returns whether anything does. */
-    private boolean trackWithSurroundings() {
-        long nowUs = plane.recent().newestUs();
-        surroundings.begin(refinement.vx(), refinement.vy(), nowUs);
-        for (int a = from; a < from + size; a++) {
-            int e = pieces.events()[a];
-            surroundings.addPlace(events.x(e), events.y(e), events.timeUs(e));
-        }
-        surroundings.spread(p.minEvents());
-        if (!surroundings.isAny()) {
-            return false;
-        }
-        Structures.Structure structure = structures.create(nowUs, refinement.vx(), refinement.vy());
-        surroundings.hand(structure);
-        structure.begin(nowUs);
-        spreading.add(structure, nowUs);
-        takeSurroundings();
-        return true;
-    }
-
-    /** Lets a structure that is due begin to take over what moves alike around it by now; returns whether any does. */
-    private boolean spreadsOn() {
-        long nowUs = plane.recent().newestUs();
-        Structures.Structure structure = spreading.due(nowUs);
-        if (structure == null) {
-            return false;
-        }
-        long before = fit.votes();
-        surroundings.begin(structure, nowUs);
-        surroundings.spreadAround(p.minEvents());
-        budget.spend(fit.votes() - before);
-        if (!surroundings.isAny()) {
-            return false;
-        }
-        takenSize = 0;
-        surroundings.hand(structure);
-        takeSurroundings();
+        budget.spend((long) taken.size() * n);
         beginToTakeOut();
-        return true;
     }
 
-    /** Takes what a structure has taken over with its surroundings out of the rings. */
-    private void takeSurroundings() {
-        for (int e = events.first(); e != events.head(); e++) {
-            if (!events.isTakenOut(e) && surroundings.has(events.x(e), events.y(e), events.timeUs(e))) {
-                take(e);
+    /** Lets a structure that is due begin to look around itself; returns whether any does. */
+    private boolean spreadsOn() {
+        boolean any = takingOver.beginWithDue();
+        if (any) {
+            stage = Stage.TAKING_OVER;
+        }
+        return any;
+    }
+
+    /** Goes on to hand its surroundings to a structure; to a piece that has none, its own events. */
+    private void takeOver() {
+        takingOver.goOn(p.minEvents());
+        if (!takingOver.isOver()) {
+            return;
+        }
+        if (takingOver.hasHanded()) {
+            beginToTakeOut();
+        } else if (takingOver.isOfTracked()) {
+            stage = Stage.IDLE;
+        } else {
+            stage = Stage.CHOOSING;
+            letGo();
+            if (size >= p.minEvents() && !structures.isFull()) {
+                trackPiece();
             }
         }
     }
 
     private void hand(int event, Structures.Structure structure) {
         structure.addPast(events.x(event), events.y(event), events.timeUs(event), events.sign(event));
-        take(event);
-    }
-
-    private void take(int event) {
-        if (takenSize == taken.length) {
-            taken = Arrays.copyOf(taken, 2 * takenSize);
-        }
-        taken[takenSize++] = event;
+        taken.add(event);
     }
 
     private void beginToTakeOut() {
-        budget.spend((long) takenSize * n);
         found = true;
-        rings = 0;
         stage = Stage.TAKING_OUT;
     }
 
-    /** Takes the events that a structure has got out of the next ring. */
+    /** Takes some of the events that a structure has got out of the next ring. */
     private void takeOut() {
-        plane.takeOut(rings, taken, takenSize);
-        budget.spend((long) takenSize * n / CHEAP_VOTES);
-        rings++;
-        if (rings == n) {
+        budget.spend((long) taken.takeOut() * n / CHEAP_VOTES);
+        if (taken.isOver()) {
             stage = Stage.CHOOSING;
         }
     }
@@ -373,6 +357,6 @@ public final class StructureSearch {
         stage = Stage.IDLE;
         nextLook = 0;
         budget.clear();
-        spreading.clear();
+        takingOver.clear();
     }
 }

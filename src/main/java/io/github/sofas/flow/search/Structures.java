@@ -1,5 +1,7 @@
 package io.github.sofas.flow.search;
 
+import io.github.sofas.flow.motion.Motion;
+
 /** Who tracks the structures that the search finds. */
 public interface Structures {
     /** Whether no further structure can be tracked. */
@@ -28,11 +30,8 @@ public interface Structures {
         /** Speed of its contour in px/s, root of the mean square. */
         double speed();
 
-        /** Velocity to the right that it has, or would have, at a place of the sensor, in px/s. */
-        double vxAt(int x, int y, long timeUs);
-
-        /** The same, downwards. */
-        double vyAt(int x, int y, long timeUs);
+        /** Lets a motion be as its own is now. */
+        void copyMotion(Motion motion);
 
         /** Whether a place of the sensor lies in its box, or beside it by so many px at most. */
         boolean isAround(int x, int y, double marginPx, long nowUs);

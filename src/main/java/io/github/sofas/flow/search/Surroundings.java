@@ -3,6 +3,7 @@ package io.github.sofas.flow.search;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.fit.VelocityTop;
+import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
@@ -11,7 +12,8 @@ import java.util.Arrays;
  * sharpest near the part's velocity, and if so its neighbours.
  *
  * <p>Ours: a wall before a camera is hundreds of parts, each of which cost a hundred times what asking it does, and
- * were tracked by themselves until they merged.
+ * were tracked by themselves until they merged. All of it may be a million events: they are gone through a few at a
+ * time, so that none of those that come in the meantime waits for it.
  */
 final class Surroundings {
     /** Tiles have sides of 2^this px, where the structure is now. */
@@ -37,9 +39,15 @@ final class Surroundings {
      */
     private static final double LEAST_SHARPNESS = 0.1;
 
+    /** Events that are gone through at a time, and how many of them cost as much as a vote of a fit. */
+    private static final int AT_ONCE = 256;
+    private static final int EVENTS_PER_VOTE = 2;
+
     private static final byte UNKNOWN = 0;
     private static final byte ASKED = 1;
     private static final byte ALIKE = 2;
+
+    private enum Stage { COUNTING, SORTING, ASKING, ASKED }
 
     private final RecentEvents events;
     private final MetricFit fit;
@@ -50,14 +58,21 @@ final class Surroundings {
     private final int[] queue;
     /** Numbers of the recent events by tile, each tile's in order of time. */
     private final int[] sorted;
+    /** Tile of each recent event, by number modulo their most, when it was counted. */
+    private final short[] tiles;
+    private Stage stage = Stage.ASKED;
     private int queued;
+    /** The next event that is gone through, and the next tile of the queue. */
+    private int next;
+    private int asked;
 
-    // the structure: one that is tracked, or null and the velocity of a new one
-    private Structures.Structure tracked;
-    private double vx;
-    private double vy;
+    // the structure: how it moves, and whether it is tracked, or is a new one
+    private final Motion motion = new Motion();
+    private boolean isTracked;
     private long nowUs;
+    /** The events that it is asked with: from the first to before the last. */
     private int first;
+    private int last;
     private double window;
 
     Surroundings(SensorSize sensor, RecentEvents events, MetricFit fit) {
@@ -69,6 +84,7 @@ final class Surroundings {
         starts = new int[columns * rows + 1];
         queue = new int[columns * rows];
         sorted = new int[RecentEvents.capacity(sensor)];
+        tiles = new short[sorted.length];
     }
 
     private static int side(int sensorSide) {
@@ -77,40 +93,40 @@ final class Surroundings {
 
     /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
-        return (long) Integer.BYTES * RecentEvents.capacity(sensor)
+        return ((long) Integer.BYTES + Short.BYTES) * RecentEvents.capacity(sensor)
             + (1 + 2L * Integer.BYTES) * side(sensor.width()) * side(sensor.height());
     }
 
-    /** Begins with the velocity of a new structure in px/s; places of it are to be added, then to be spread from. */
+    /** Begins with the velocity of a new structure in px/s; places of it are to be added, then to be asked from. */
     void begin(double structureVx, double structureVy, long atUs) {
-        vx = structureVx;
-        vy = structureVy;
-        tracked = null;
-        begin(Math.sqrt(vx * vx + vy * vy), atUs);
+        motion.set(atUs, structureVx, structureVy);
+        isTracked = false;
+        begin(Math.sqrt(structureVx * structureVx + structureVy * structureVy), atUs);
     }
 
-    /** Begins with a structure that is tracked, and moves. */
+    /** Begins with a structure that is tracked, and moves: with the tiles in its box, and around it. */
     void begin(Structures.Structure structure, long atUs) {
-        tracked = structure;
+        structure.copyMotion(motion);
+        isTracked = true;
         begin(structure.speed(), atUs);
+        for (int tile = 0; tile < state.length; tile++) {
+            if (structure.isAround(centreX(tile), centreY(tile), SIDE_PX, nowUs)) {
+                enqueue(tile);
+            }
+        }
     }
 
     private void begin(double speed, long atUs) {
         nowUs = atUs;
         window = TRAVEL_PX / speed;
         first = events.first(nowUs - (long) (window * 1e6));
+        last = events.head();
+        next = first;
         queued = 0;
+        asked = 0;
+        stage = Stage.COUNTING;
         Arrays.fill(state, UNKNOWN);
         Arrays.fill(starts, 0);
-    }
-
-    /** Velocity to the right that the structure has, or would have, at a place of the sensor. */
-    private double vxAt(int x, int y, long timeUs) {
-        return tracked == null ? vx : tracked.vxAt(x, y, timeUs);
-    }
-
-    private double vyAt(int x, int y, long timeUs) {
-        return tracked == null ? vy : tracked.vyAt(x, y, timeUs);
     }
 
     private int centreX(int tile) {
@@ -124,8 +140,8 @@ final class Surroundings {
     /** Tile that an event lies on as the structure is now, or would if it were of it; -1 far off the sensor. */
     private int tile(int x, int y, long timeUs) {
         double dt = (nowUs - timeUs) * 1e-6;
-        int column = ((int) (x + vxAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
-        int row = ((int) (y + vyAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
+        int column = ((int) (x + motion.vxAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
+        int row = ((int) (y + motion.vyAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
         return column < 0 || row < 0 || column >= columns || row >= rows ? -1 : row * columns + column;
     }
 
@@ -141,68 +157,84 @@ final class Surroundings {
         }
     }
 
-    /**
-     * Finds the tiles around the places that move alike.
-     *
-     * @param fewest events of a tile that is asked
-     */
-    void spread(int fewest) {
-        sort();
-        spreadOn(fewest);
+    /** Whether all tiles are asked that are to be. */
+    boolean isAsked() {
+        return stage == Stage.ASKED;
     }
 
     /**
-     * Finds the tiles that move alike in the box of the structure that is tracked, and around it.
+     * Goes on to find the tiles that move alike, around the places or the box: some events, or the next tile.
      *
      * @param fewest events of a tile that is asked
+     * @return what it cost, in votes
      */
-    void spreadAround(int fewest) {
-        sort();
-        for (int tile = 0; tile < state.length; tile++) {
-            if (starts[tile + 1] - starts[tile] >= fewest
-                    && tracked.isAround(centreX(tile), centreY(tile), SIDE_PX, nowUs)) {
-                enqueue(tile);
-            }
+    long ask(int fewest) {
+        long before = fit.votes();
+        int from = next;
+        switch (stage) {
+            case COUNTING:
+                count();
+                break;
+            case SORTING:
+                sort();
+                break;
+            case ASKING:
+                askNext(fewest);
+                break;
+            default:
         }
-        spreadOn(fewest);
+        return 1 + fit.votes() - before + Math.abs(next - from) / EVENTS_PER_VOTE;
     }
 
-    private void spreadOn(int fewest) {
-        for (int next = 0; next < queued; next++) {
-            int tile = queue[next];
-            if (starts[tile + 1] - starts[tile] >= fewest && isAlike(tile)) {
-                state[tile] = ALIKE;
-                int column = tile % columns;
-                int row = tile / columns;
-                for (int dy = -1; dy <= 1; dy++) {
-                    for (int dx = -1; dx <= 1; dx++) {
-                        if (column + dx >= 0 && column + dx < columns && row + dy >= 0 && row + dy < rows) {
-                            enqueue(tile + dy * columns + dx);
-                        }
+    private void askNext(int fewest) {
+        if (asked == queued) {
+            stage = Stage.ASKED;
+            next = first;
+            return;
+        }
+        int tile = queue[asked++];
+        if (starts[tile + 1] - starts[tile] >= fewest && isAlike(tile)) {
+            state[tile] = ALIKE;
+            int column = tile % columns;
+            int row = tile / columns;
+            for (int dy = -1; dy <= 1; dy++) {
+                for (int dx = -1; dx <= 1; dx++) {
+                    if (column + dx >= 0 && column + dx < columns && row + dy >= 0 && row + dy < rows) {
+                        enqueue(tile + dy * columns + dx);
                     }
                 }
             }
         }
     }
 
-    private void sort() {
-        for (int e = first; e != events.head(); e++) {
-            int tile = free(e);
+    private void count() {
+        for (int end = next + Math.min(AT_ONCE, last - next); next != end; next++) {
+            int tile = free(next);
+            tiles[next & tiles.length - 1] = (short) tile;
             if (tile >= 0) {
                 starts[tile]++;
             }
         }
-        int end = 0;
-        for (int tile = 0; tile < starts.length; tile++) {
-            end += starts[tile];
-            starts[tile] = end;
-        }
-        // from the last on, so that each start ends where it belongs
-        for (int e = events.head() - 1; e - first >= 0; e--) {
-            int tile = free(e);
-            if (tile >= 0) {
-                sorted[--starts[tile]] = e;
+        if (next == last) {
+            stage = Stage.SORTING;
+            int end = 0;
+            for (int tile = 0; tile < starts.length; tile++) {
+                end += starts[tile];
+                starts[tile] = end;
             }
+        }
+    }
+
+    /** From the last event on, so that each start ends where it belongs. */
+    private void sort() {
+        for (int end = next - Math.min(AT_ONCE, next - first); next != end; next--) {
+            int tile = tiles[next - 1 & tiles.length - 1];
+            if (tile >= 0) {
+                sorted[--starts[tile]] = next - 1;
+            }
+        }
+        if (next == first) {
+            stage = Stage.ASKING;
         }
     }
 
@@ -222,8 +254,8 @@ final class Surroundings {
             int e = sorted[from + (int) ((long) a * size / want)];
             fit.add(events.x(e), events.y(e), (events.timeUs(e) - middleUs) * 1e-6f, 0, 0, events.sign(e));
         }
-        double tileVx = vxAt(centreX(tile), centreY(tile), nowUs);
-        double tileVy = vyAt(centreX(tile), centreY(tile), nowUs);
+        double tileVx = motion.vxAt(centreX(tile), centreY(tile), nowUs);
+        double tileVy = motion.vyAt(centreX(tile), centreY(tile), nowUs);
         if (fit.isSharperAtRest(tileVx, tileVy)) {
             return false;
         }
@@ -252,18 +284,33 @@ final class Surroundings {
         return tile >= 0 && state[tile] == ALIKE;
     }
 
-    /** Hands the events of the tiles that move alike to a structure, in order of time. */
-    void hand(Structures.Structure structure) {
-        for (int e = first; e != events.head(); e++) {
-            int tile = free(e);
+    /** Whether all events are handed, also those that came in the meantime. */
+    boolean isHanded() {
+        return next == events.head();
+    }
+
+    /**
+     * Goes on to hand the events of the tiles that move alike to a structure, in order of time.
+     *
+     * @return how many events it has gone through
+     */
+    int hand(Structures.Structure structure) {
+        if (next - events.oldest() < 0) {
+            next = events.oldest();
+        }
+        int from = next;
+        for (int end = next + Math.min(AT_ONCE, events.head() - next); next != end; next++) {
+            int tile = free(next);
             if (tile >= 0 && state[tile] == ALIKE) {
-                if (tracked == null) {
-                    structure.addPast(events.x(e), events.y(e), events.timeUs(e), events.sign(e));
+                if (isTracked) {
+                    structure.see(events.x(next), events.y(next), events.timeUs(next), events.sign(next),
+                        events.newestUs());
                 } else {
-                    structure.see(events.x(e), events.y(e), events.timeUs(e), events.sign(e), nowUs);
+                    structure.addPast(events.x(next), events.y(next), events.timeUs(next), events.sign(next));
                 }
-                events.take(e);
+                events.take(next);
             }
         }
+        return next - from;
     }
 }

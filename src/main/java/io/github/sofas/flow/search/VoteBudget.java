@@ -37,9 +37,19 @@ final class VoteBudget {
         saved = Math.min(MOST_SAVED, saved + VOTES_PER_EVENT - paid);
     }
 
+    /** Earns some more votes, which are saved as far as there is room. */
+    void earnMore(long votes) {
+        saved = Math.min(MOST_SAVED, saved + votes);
+    }
+
     /** Gives votes; the last ones may be more than are left, for the events that follow to pay. */
     void spend(long votes) {
         saved -= votes;
+    }
+
+    /** Lets go what is saved: work that may be long begins, and no event is to wait for much of it at once. */
+    void letGo() {
+        saved = Math.min(saved, 0);
     }
 
     /** Whether votes are left to give. */

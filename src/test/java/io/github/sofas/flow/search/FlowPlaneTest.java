@@ -68,7 +68,7 @@ public class FlowPlaneTest {
         private void takeOut(int ring, List<Integer> numbers) {
             numbers.forEach(i -> taken.get(i).add(ring));
             int[] array = numbers.stream().mapToInt(Integer::intValue).toArray();
-            fast.takeOut(ring, array, array.length);
+            fast.takeOut(ring, array, 0, array.length);
         }
 
         /** The time in which a ring travels its pixels. */

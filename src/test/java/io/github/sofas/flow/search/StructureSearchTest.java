@@ -19,8 +19,8 @@ public class StructureSearchTest {
     private static final int ROWS = 30;
 
     /** Takes every structure, and counts them. */
-    private static final class AllStructures extends StructureThatMoves implements Structures {
-        private int begun;
+    private static class AllStructures extends StructureThatMoves implements Structures {
+        int begun;
 
         AllStructures() {
             super(100);
@@ -79,7 +79,7 @@ public class StructureSearchTest {
         for (int i = 0; i < ofAnother; i++) {
             events[i] = 8 * ROWS + i;
         }
-        plane.takeOut(0, events, ofAnother);
+        plane.takeOut(0, events, 0, ofAnother);
         for (int i = 0; i < 2_000; i++) {
             search.run(0);
         }
@@ -227,5 +227,44 @@ public class StructureSearchTest {
         looks.addFlicker(400, nowUs);
         assertTrue(looks.look(nowUs + 80_000) > 0);
         assertEquals(0, looks.structures.begun);
+    }
+
+    /** Counts the events that a structure is handed. */
+    private static final class Counting extends AllStructures {
+        private int handed;
+
+        @Override
+        public void addPast(int x, int y, long timeUs, int polarity) {
+            handed++;
+        }
+    }
+
+    @Test
+    public void wallIsHandedToAStructureInSmallSteps() {
+        SensorSize sensor = new SensorSize(256, 96);
+        FlowPlane plane = new FlowPlane(sensor.width(), sensor.height(), P.search());
+        MetricFit fit = new MetricFit(sensor.width(), sensor.height(), MetricFit.CELL_PX, 4096, 300);
+        Counting structures = new Counting();
+        StructureSearch search = new StructureSearch(plane, P.search(), fit, structures, 0);
+        Random random = new Random(1);
+        int points = 3000;
+        int[] x = random.ints(points, 8, 240).toArray();
+        int[] y = random.ints(points, 8, 88).toArray();
+        int most = 0;
+        for (int i = 0; i < 10 * points; i++) {
+            // each point moves right at 100 px/s
+            long timeUs = 10_000L * i / points;
+            plane.add(x[i % points] + i / points, y[i % points], timeUs, i % 2 == 0 ? 1 : -1);
+            if (plane.isToSettle(timeUs)) {
+                plane.settle(timeUs);
+            }
+            int before = structures.handed;
+            search.run(0);
+            most = Math.max(most, structures.handed - before);
+        }
+        assertTrue("begun", structures.begun > 0);
+        assertTrue("handed " + structures.handed, structures.handed > 3 * points);
+        // no more than a part of 48 px, an eighth of the wall, whose points gave 4 or 5 events each
+        assertTrue("handed at once " + most, most <= 5 * points / 8);
     }
 }

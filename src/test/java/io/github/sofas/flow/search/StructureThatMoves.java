@@ -1,5 +1,7 @@
 package io.github.sofas.flow.search;
 
+import io.github.sofas.flow.motion.Motion;
+
 /** A structure that is tracked, moves right at a speed, and takes nothing: what tests of the search extend. */
 class StructureThatMoves implements Structures.Structure {
     private final double speed;
@@ -32,13 +34,8 @@ class StructureThatMoves implements Structures.Structure {
     }
 
     @Override
-    public double vxAt(int x, int y, long timeUs) {
-        return speed;
-    }
-
-    @Override
-    public double vyAt(int x, int y, long timeUs) {
-        return 0;
+    public void copyMotion(Motion motion) {
+        motion.set(0, speed, 0);
     }
 
     @Override

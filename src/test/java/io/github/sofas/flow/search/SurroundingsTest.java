@@ -38,7 +38,22 @@ public class SurroundingsTest {
     private void spreadFrom(int x, int y) {
         surroundings.begin(100, 0, NOW_US);
         surroundings.addPlace(x, y, NOW_US);
-        surroundings.spread(40);
+        askAll();
+    }
+
+    /** Asks until all is asked; returns the greatest cost of a step. */
+    private long askAll() {
+        long most = 0;
+        while (!surroundings.isAsked()) {
+            most = Math.max(most, surroundings.ask(40));
+        }
+        return most;
+    }
+
+    private void handAll(Structures.Structure structure) {
+        while (!surroundings.isHanded()) {
+            surroundings.hand(structure);
+        }
     }
 
     /** Takes events, and keeps their times. */
@@ -92,7 +107,7 @@ public class SurroundingsTest {
         film(100, 0);
         surroundings.begin(-100, 0, NOW_US);
         surroundings.addPlace(80, 48, NOW_US);
-        surroundings.spread(40);
+        askAll();
         assertFalse(surroundings.isAny());
     }
 
@@ -110,7 +125,7 @@ public class SurroundingsTest {
         film(100, 0);
         spreadFrom(40, 48);
         Taker first = new Taker();
-        surroundings.hand(first);
+        handAll(first);
         // of the last 40 ms, on tiles with events enough
         assertTrue("handed " + first.times.size(), first.times.size() > 3000);
         for (int i = 1; i < first.times.size(); i++) {
@@ -118,7 +133,7 @@ public class SurroundingsTest {
         }
         assertTrue(first.times.get(0) >= NOW_US - 40_000);
         Taker second = new Taker();
-        surroundings.hand(second);
+        handAll(second);
         assertEquals(0, second.times.size());
         spreadFrom(40, 48);
         assertFalse(surroundings.isAny());
@@ -129,21 +144,45 @@ public class SurroundingsTest {
         film(100, 0);
         Taker tracked = new Taker();
         surroundings.begin(tracked, NOW_US);
-        surroundings.spreadAround(40);
+        askAll();
         assertTrue(surroundings.has(48, 48, NOW_US));
         // tiles beside its box, and what moves alike beside those
         assertTrue(surroundings.has(144, 48, NOW_US));
         assertTrue(surroundings.has(208, 48, NOW_US));
-        surroundings.hand(tracked);
+        handAll(tracked);
         assertEquals(0, tracked.times.size());
         assertTrue("seen " + tracked.seen.size(), tracked.seen.size() > 3000);
+    }
+
+    @Test
+    public void noStepCostsMoreThanAskingATile() {
+        film(100, 0);
+        surroundings.begin(100, 0, NOW_US);
+        surroundings.addPlace(40, 48, NOW_US);
+        // where they are, along the velocity, and there again with four neighbours: 300 events of a tile on two grids
+        long most = askAll();
+        assertTrue("cost " + most, most <= 1 + 7 * 2 * 300);
+        Taker taker = new Taker();
+        surroundings.hand(taker);
+        assertTrue("handed at once " + taker.times.size(), taker.times.size() <= 256);
+    }
+
+    @Test
+    public void whatComesInTheMeantimeIsHandedToo() {
+        film(100, 0);
+        spreadFrom(40, 48);
+        Taker taker = new Taker();
+        surroundings.hand(taker);
+        events.add(80, 48, NOW_US + 1_000, 1);
+        handAll(taker);
+        assertEquals(NOW_US + 1_000, (long) taker.times.get(taker.times.size() - 1));
     }
 
     @Test
     public void structureThatIsTrackedTakesNothingOverThatMovesOtherwise() {
         film(0, 100);
         surroundings.begin(new Taker(), NOW_US);
-        surroundings.spreadAround(40);
+        askAll();
         assertTrue(surroundings.has(80, 48, NOW_US));
         assertFalse(surroundings.has(144, 48, NOW_US));
     }
