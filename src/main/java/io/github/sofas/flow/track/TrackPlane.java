@@ -37,6 +37,11 @@ public final class TrackPlane {
     /** What is left of the usual density with each look at it, and what is taken of the one of now. */
     private static final double USUAL_KEPT = 0.999;
 
+    /** Share of the measured velocity by which that of a structure which gets too few events may have changed since. */
+    private static final double ADRIFT_SHARE = 0.25;
+    /** Part of its lifetime for which it may have changed by more: so long a structure takes to turn back. */
+    private static final int ADRIFT_PART = 2;
+
     /** Share of what a common rotation and growth explain that they may fail to explain. */
     private static final double SHOWN_LOST = 0.15;
 
@@ -70,6 +75,11 @@ public final class TrackPlane {
     private long events;
     private State state;
     private long waitingSinceUs;
+    /** Whether it is waited for along a motion that was not measured. */
+    private boolean adrift;
+    /** Velocity that was measured last, in px/s. */
+    private double measuredVx;
+    private double measuredVy;
 
     private long lifetimeUs;
     private int sinceMeasured;
@@ -102,6 +112,9 @@ public final class TrackPlane {
         lastUs = nowUs;
         events = 0;
         state = State.TRACKED;
+        adrift = false;
+        measuredVx = vx;
+        measuredVy = vy;
         live.clear();
         motion.set(nowUs, vx, vy);
         contour.start(motion);
@@ -224,7 +237,7 @@ public final class TrackPlane {
 
     /** Whether its motion tells where its events come from: else they get no flow until it does again. */
     boolean isPredictive() {
-        return measurement.isPredictive();
+        return measurement.isPredictive() && !adrift;
     }
 
     /** Events of the structure per px of travel. */
@@ -264,7 +277,19 @@ public final class TrackPlane {
         if (state == State.WAITED_FOR && (nowUs - waitingSinceUs >= memoryUs() || hasLeft(nowUs))) {
             state = State.ENDED;
         }
+        adrift = state == State.WAITED_FOR && nowUs - waitingSinceUs >= lifetimeUs / ADRIFT_PART
+            && isOtherThanMeasured();
         return state;
+    }
+
+    /**
+     * Whether it has gone on to another velocity since it was measured: what reverses or pauses within a few pixels
+     * seems to slow down or speed up without end, gets few events there, and would label others at that velocity.
+     */
+    private boolean isOtherThanMeasured() {
+        double dx = motion.vx - measuredVx;
+        double dy = motion.vy - measuredVy;
+        return dx * dx + dy * dy > ADRIFT_SHARE * ADRIFT_SHARE * (measuredVx * measuredVx + measuredVy * measuredVy);
     }
 
     private boolean hasLeft(long nowUs) {
@@ -297,6 +322,8 @@ public final class TrackPlane {
             measurement.judge(false, motion, live, contour.radius(), fit, nowUs);
         } else if (nowUs - live.oldestUs() > 10) {
             measurement.measure(motion, live, contour.radius(), fit, lifetimeUs, nowUs);
+            measuredVx = motion.vx;
+            measuredVy = motion.vy;
             tell();
             measurement.judge(true, motion, live, contour.radius(), fit, nowUs);
         }

@@ -193,4 +193,12 @@ public class MotionChangeTest {
         assertEquals(0.2 * 100 / 101, MotionChange.believed(0.2, 0.2, 0.1), 1e-12);
         assertEquals(0, MotionChange.believed(0, 0.2, 0.1), 0);
     }
+
+    @Test
+    public void whatMayBeNoiseFallsWithTheNumberOfEvents() {
+        // sqrt(0.07² + (30 / 300)²), and of a million events what they have in common
+        assertEquals(Math.sqrt(0.0149), MotionChange.noisePx(0.07, 30, 300), 1e-12);
+        assertEquals(0.07, MotionChange.noisePx(0.07, 30, 1_000_000), 1e-6);
+        assertEquals(30, MotionChange.noisePx(0, 30, 0), 0);
+    }
 }

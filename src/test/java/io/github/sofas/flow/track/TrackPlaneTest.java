@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
@@ -278,5 +279,37 @@ public class TrackPlaneTest {
             take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.OWN);
         }
         assertTrue(plane.remembered(column, 71, nowUs) > 0);
+    }
+
+    /** Changes its speed for 25 px, from 100 px/s, then goes on at the one it has, with every sixth row only. */
+    private void changeSpeedAndThin(double accelerationPxPerS2) {
+        start(20);
+        goOn(10);
+        double speed = 100;
+        for (int c = 0; c < 55; c++) {
+            for (int y = 0; y < ROWS; y += c < 25 ? 1 : 6) {
+                take(column, 30 + y, nowUs, 1, Claim.OWN);
+            }
+            column++;
+            long stepUs = Math.round(1e6 / speed);
+            speed += c < 25 ? accelerationPxPerS2 * stepUs * 1e-6 : 0;
+            nowUs += stepUs;
+            plane.update(nowUs);
+        }
+    }
+
+    @Test
+    public void tellsNothingOnceItGetsFewEventsAtAVelocityThatWasNotMeasured() {
+        // 100 to 32 px/s: what changes by as much is waited for at other speeds
+        changeSpeedAndThin(-180);
+        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertFalse(plane.isPredictive());
+    }
+
+    @Test
+    public void tellsOnWhatGetsFewEventsAtItsSteadyVelocity() {
+        changeSpeedAndThin(0);
+        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertTrue(plane.isPredictive());
     }
 }
