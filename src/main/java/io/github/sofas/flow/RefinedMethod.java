@@ -19,8 +19,8 @@ import java.util.function.Consumer;
  * fast.
  */
 final class RefinedMethod implements Method {
-    /** Most events that vote on two grids, at twice the cost: of a track plane, less than a thinned sample has. */
-    private static final int TRACKED_ON_BOTH = 1900;
+    /** Most events of a track plane that vote on two grids, at twice the cost. */
+    private static final int TRACKED_ON_BOTH = 1000;
     /** The same of a piece of the flow plane, whose velocity is to be right to a few percent only. */
     private static final int SEARCHED_ON_BOTH = 300;
 

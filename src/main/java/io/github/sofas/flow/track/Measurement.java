@@ -21,24 +21,30 @@ final class Measurement {
     /** Measurements after which a motion is judged: before, it is that of the search. */
     private static final int LEAST_JUDGED = 2;
     /**
-     * A sample has at least this part of the live events: measurements are the rarer the more there are, so that it
-     * costs no more per event, and what is weakly known, the velocity along edges, needs many.
+     * A sample has this part of the live events, but no fewer and no more than {@link #SAMPLE_EVENTS} and
+     * {@link #MOST_SAMPLED}: measurements are the rarer the more there are, so that it costs no more per event, and
+     * what is weakly known, the velocity along edges, needs many.
      */
-    private static final int SAMPLE_PART = 4;
-    /** Fewest events between two measurements, and live events of which a quarter must be new. */
+    private static final int SAMPLE_PART = 2;
+    private static final int MOST_SAMPLED = 4096;
+    /** Fewest events between two measurements. */
     private static final int LEAST_NEWS = 40;
-    private static final int FEW_EVENTS = 2000;
+    /** Parts of a sample, and of all live events, of which one must be new. */
+    private static final int NEWS_PART = 4;
+    private static final int LIVE_NEWS_PART = 12;
     /**
      * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
      * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
-     * follow each other at once do not, and those of real pixels make it look too fast.
+     * follow each other at once do not, and those of real pixels make it look too fast. Where a stretch is shorter than
+     * a pixel of travel, it begins and ends within what an edge along a row or column fires, which looks like another
+     * velocity and an acceleration: few events are taken whole.
      */
     private static final int STRETCHES = 4;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
     private static final double STEP_PX = 1.0 / 64;
 
-    /** Events that a velocity is measured from where they meet often: 1,000 reach half a percent. */
-    private static final int SAMPLE_EVENTS = 1000;
+    /** Live events that are measured whole: with half as many a lonely hexagon's velocity swings by a tenth. */
+    private static final int SAMPLE_EVENTS = 2000;
     /** Metric per event below which a sample is enlarged: thinning events thins their meetings by the square. */
     private static final double SAMPLE_DENSITY = 1.5;
     /** Correction over half the window below which a velocity is steady. */
@@ -128,8 +134,7 @@ final class Measurement {
 
     /** New events until it is measured again: a quarter of few, a twelfth of many, more where all are needed. */
     int newsNeeded(int liveEvents) {
-        return Math.max(LEAST_NEWS,
-            Math.max(Math.max(sample(liveEvents), Math.min(liveEvents, FEW_EVENTS)) / 4, liveEvents / 12));
+        return Math.max(LEAST_NEWS, Math.max(sample(liveEvents) / NEWS_PART, liveEvents / LIVE_NEWS_PART));
     }
 
     /** Holds the motion where it cannot be measured. */
@@ -195,7 +200,7 @@ final class Measurement {
      * that meet seldom are taken whole.
      */
     private int sample(int n) {
-        int least = Math.max(SAMPLE_EVENTS, n / SAMPLE_PART);
+        int least = Math.max(SAMPLE_EVENTS, Math.min(n / SAMPLE_PART, MOST_SAMPLED));
         return n <= least ? n : (int) Math.max(least, Math.min(n, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
     }
 

@@ -215,15 +215,19 @@ public class MeasurementTest {
         assertEquals(500, measurement.newsNeeded(2_000));
         // before anything is known of how often they meet all are needed, and so a quarter of them
         assertEquals(3_000, measurement.newsNeeded(12_000));
-        // ten events a cell and more meet often: a quarter of 12,000 is enough, of which a quarter is less than a
-        // twelfth of all
+        // ten events a cell and more meet often: 4,096 of them are enough, of which a quarter must be new, or a twelfth
+        // of all
         for (int i = 0; i < 12_000; i++) {
             live.add(30 + i / 2_400, 40 + i % 20, nowUs + i, 1, Claim.OWN, 0);
         }
         nowUs += 12_000;
         motion.set(nowUs, 400, 0);
         measure();
-        assertEquals(1_000, measurement.newsNeeded(12_000));
+        assertEquals(1_024, measurement.newsNeeded(12_000));
+        assertEquals(1_250, measurement.newsNeeded(15_000));
+        // half of fewer, and 2,000 at least
+        assertEquals(750, measurement.newsNeeded(6_000));
+        assertEquals(500, measurement.newsNeeded(3_000));
     }
 
     @Test
@@ -265,16 +269,28 @@ public class MeasurementTest {
     }
 
     @Test
-    public void quarterOfTheEventsIsMeasuredWhereTheyMeetOften() {
+    public void halfOfTheEventsIsMeasuredWhereTheyMeetOften() {
+        measureTwice(1_800);
+        assertEquals(live.size(), fit.size());
+        measureTwice(2_400);
+        assertEquals(2_000, fit.size());
+        measureTwice(6_000);
+        assertEquals(live.size() / 2, fit.size());
+        measureTwice(12_000);
+        assertEquals(4_096, fit.size());
+    }
+
+    /** Measures a short upright edge that fires so often; what is measured the second time stays loaded. */
+    private void measureTwice(int events) {
         start(400);
-        for (int i = 0; i < 12_000; i++) {
-            live.add(30 + i / 2_400, 40 + i % 20, nowUs + i, 1, Claim.OWN, 0);
+        live.clear();
+        for (int i = 0; i < events; i++) {
+            live.add(30 + i / (events / 5), 40 + i % 20, nowUs + i, 1, Claim.OWN, 0);
         }
-        nowUs += 12_000;
+        nowUs += events;
         measure();
-        assertEquals("all, as nothing is known yet", 12_000, fit.size());
+        assertEquals("all, as nothing is known yet", events, fit.size());
         measure();
-        assertEquals(3_000, fit.size());
     }
 
     @Test
