@@ -73,13 +73,16 @@ final class LiveEvents {
 
     /** Appends an event of a tile that is taken; where there is no room, half of the tiles are given up first. */
     void add(int eventX, int eventY, long eventUs, int polarity, Claim why, int tileHash) {
+        add(eventX, eventY, eventUs, polarity, why.ordinal(), tileHash);
+    }
+
+    private void add(int eventX, int eventY, long eventUs, int polarity, int why, int tileHash) {
         if (isFull()) {
             makeRoom();
         }
-        if (!takes(tileHash)) {
-            return;
+        if (takes(tileHash)) {
+            put(eventX, eventY, eventUs, polarity, why, tileHash);
         }
-        put(eventX, eventY, eventUs, polarity, why.ordinal(), tileHash);
     }
 
     private void put(int eventX, int eventY, long eventUs, int polarity, int why, int tileHash) {
@@ -173,13 +176,7 @@ final class LiveEvents {
         int i = from.index(k);
         int tileHash = from.tile[i];
         if (takes(tileHash)) {
-            if (isFull()) {
-                makeRoom();
-                if (!takes(tileHash)) {
-                    return;
-                }
-            }
-            put(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.claim[i], tileHash);
+            add(from.x[i], from.y[i], from.timeUs[i], from.sign[i], from.claim[i], tileHash);
         }
     }
 }

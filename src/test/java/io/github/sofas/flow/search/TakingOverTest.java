@@ -132,8 +132,7 @@ public class TakingOverTest {
         assertFalse(takingOver.hasHanded());
     }
 
-    @Test
-    public void structureThatIsTrackedSeesWhatEntersWhileNobodyElseWorksWithIt() {
+    private void goOnUntilWhatIsTrackedMayGetMore() {
         begin();
         goOnToTheEnd();
         addSteps(6, 12);
@@ -141,6 +140,11 @@ public class TakingOverTest {
         while (!takingOver.waits()) {
             takingOver.goOn(40);
         }
+    }
+
+    @Test
+    public void structureThatIsTrackedSeesWhatEntersWhileNobodyElseWorksWithIt() {
+        goOnUntilWhatIsTrackedMayGetMore();
         assertEquals(0, structure.seen);
         takingOver.handToTracked();
         int atOnce = structure.seen;
@@ -151,13 +155,7 @@ public class TakingOverTest {
 
     @Test
     public void structureThatIsLostInTheMeantimeGetsNothing() {
-        begin();
-        goOnToTheEnd();
-        addSteps(6, 12);
-        assertTrue(takingOver.beginWithDue());
-        while (!takingOver.waits()) {
-            takingOver.goOn(40);
-        }
+        goOnUntilWhatIsTrackedMayGetMore();
         structure.lost = true;
         takingOver.handToTracked();
         assertTrue(takingOver.isOver());
