@@ -9,7 +9,8 @@ import java.util.List;
  * Decides whose the events of a slice are, where that is open: each goes to the segment along whose motion its edge
  * came and went. A segment's claim is the number of px of travel, up to {@value #SIDE_PARTS} on either side, in which
  * there was an event of the same polarity within a pixel of where the motion puts the edge; those in which it was on
- * the very pixel count more. What no segment claims is noise.
+ * the very pixel count more. Before a recording began and after it ended nothing can be seen: a claim there counts for
+ * as much as the rest of the travel would add, up to twice. What no segment claims is noise.
  *
  * <p>Longer than other classes, because which events are open, who may claim them and how a claim is counted use the
  * same tables of the slice, which are filled once for all of them.
@@ -31,6 +32,8 @@ final class Competition {
     /** What events count for that have no label yet, and those of another segment. */
     private static final double NOBODYS = 0.7;
     private static final double OTHERS = 0.6;
+    /** The most that a claim is raised by where the recording does not reach as far as it is looked at. */
+    private static final double MOST_RAISED = 2;
     /** Travel during the look-ahead below which a segment's past and future do not show, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
     /** Room around a segment's box in px. */
@@ -50,10 +53,15 @@ final class Competition {
     // of the events of the slice
     private double[] claim = new double[1024];
     private int[] winner = new int[1024];
+    /** Times of the first and the last event of the recording; the least and the greatest where not known. */
+    private long beginUs;
+    private long endUs;
     /** The label of the segment that claims. */
     private int ownLabel;
     // of the block that is looked at
     private long fromUs;
+    /** The parts of its time that the recording has. */
+    private long recorded;
     private double left;
     private double top;
     private double right;
@@ -77,9 +85,12 @@ final class Competition {
      * @param index of the slice among them
      * @param paths of the segments that may have events in it
      * @param sideUs most time that is looked at on either side
+     * @param isComplete whether no events follow those of the slices
      */
-    void decide(List<Slice> slices, int index, Iterable<SegmentPath> paths, long sideUs) {
+    void decide(List<Slice> slices, int index, Iterable<SegmentPath> paths, long sideUs, boolean isComplete) {
         Slice slice = slices.get(index);
+        beginUs = slices.get(0).from == 0 ? window.timeUs[window.at(0)] : Long.MIN_VALUE;
+        endUs = isComplete ? window.timeUs[window.at(window.end() - 1)] : Long.MAX_VALUE;
         for (SegmentPath path : paths) {
             if (!slice.has(path.id()) && findBox(path, slices, index)) {
                 slice.open(tile(left, slice.columns()), tile(top, slice.rows()), tile(right, slice.columns()),
@@ -210,6 +221,7 @@ final class Competition {
                             boolean shows) {
         fromUs = a - sideUs;
         projection.begin(path, (a + b) / 2, fromUs, (double) STEPS / partUs, MOST_STEPS);
+        recorded = TraceMap.parts(part(beginUs), part(endUs) + 1);
         map.clear();
         for (int k = index; k >= 0 && slices.get(k).untilUs > fromUs; k--) {
             add(slices.get(k), slices.get(index), b + sideUs);
@@ -218,6 +230,12 @@ final class Competition {
             add(slices.get(k), slices.get(index), b + sideUs);
         }
         ask(path, slices.get(index), a, b, shows);
+    }
+
+    /** Part of the block's time that a time is in, or the nearest one. */
+    private int part(long us) {
+        long lastUs = fromUs + projection.lastUs();
+        return projection.step(Math.max(fromUs, Math.min(us, lastUs)) - fromUs) / STEPS;
     }
 
     /** Adds the events of a slice to the map that fall in the box, and may meet open ones of another. */
@@ -309,7 +327,8 @@ final class Competition {
             boolean isOwn = window.segment[window.at(event)] == path.id();
             int part = step / STEPS;
             long wanted = TraceMap.parts(part - SIDE_PARTS, part + SIDE_PARTS + 1) & ~(1L << part);
-            double score = shows ? map.claim(x, y, slice.isOn(j), wanted, NOBODYS, OTHERS) : 0;
+            double score = !shows ? 0
+                : map.claim(x, y, slice.isOn(j), wanted, NOBODYS, OTHERS) * raised(Long.bitCount(wanted & recorded));
             if (isOwn) {
                 score = shows ? score + PRIOR : MOST + PRIOR;
             }
@@ -319,5 +338,10 @@ final class Competition {
                 winner[i] = path.id();
             }
         }
+    }
+
+    /** What a claim is raised by that so many parts of the travel can show. */
+    private static double raised(int parts) {
+        return Math.min(MOST_RAISED, 2.0 * SIDE_PARTS / Math.max(1, parts));
     }
 }

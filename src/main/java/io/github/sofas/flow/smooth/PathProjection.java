@@ -84,6 +84,11 @@ final class PathProjection {
         return Math.min(steps - 1, (int) (us * stepsPerUs));
     }
 
+    /** Last time that there are steps for, in µs since the first that is asked for. */
+    long lastUs() {
+        return (long) (steps / stepsPerUs);
+    }
+
     /** First time after a step, in µs since the first that is asked for; never after the last step. */
     long untilUs(int step) {
         if (step == steps - 1) {

@@ -48,6 +48,8 @@ public final class Smoother {
     private long labelled;
     private long taken;
     private long newestUs = Long.MIN_VALUE;
+    /** Whether no events follow. */
+    private boolean isComplete;
     private boolean finished;
 
     /**
@@ -258,7 +260,7 @@ public final class Smoother {
                 near.add(path);
             }
         }
-        competition.decide(slices, index, near, AHEAD * sliceUs);
+        competition.decide(slices, index, near, AHEAD * sliceUs, isComplete);
     }
 
     private void settle(Slice slice) {
@@ -283,6 +285,7 @@ public final class Smoother {
 
     /** Labels all events for good. */
     public void finish() {
+        isComplete = true;
         while (labelled < window.end()) {
             endSlice(sliceUntilUs());
         }

@@ -71,7 +71,7 @@ public class CompetitionTest {
             }
         }
         for (int k = 0; k < slices.size(); k++) {
-            competition.decide(slices, k, paths, 100_000);
+            competition.decide(slices, k, paths, 100_000, false);
         }
         // but for the column beside the one where they meet, where chance has as many
         assertEquals(39 * 20, countOf(1, 0), 20);
@@ -94,7 +94,7 @@ public class CompetitionTest {
         slices.clear();
         slices.addAll(found);
         for (int k = 0; k < slices.size(); k++) {
-            competition.decide(slices, k, paths, 100_000);
+            competition.decide(slices, k, paths, 100_000, false);
         }
         assertEquals(29 * 20, countOf(1, 0));
         assertEquals(29 * 20, countOf(2, 1));
@@ -113,7 +113,7 @@ public class CompetitionTest {
             assertFalse(slices.get(k).isOpen(0));
         }
         for (int k = slices.size() - 1; k >= 0; k--) {
-            competition.decide(slices, k, paths, 200_000);
+            competition.decide(slices, k, paths, 200_000, false);
         }
         assertEquals(29 * 20, countOf(1, 0));
         assertEquals(29 * 20, countOf(2, 1));
@@ -130,6 +130,35 @@ public class CompetitionTest {
         return part;
     }
 
+    /** Events that have a label in the end, of three columns of either edge of which the last one was labelled. */
+    private int labelledOfThreeColumns(boolean isAll) {
+        // of before what is seen
+        int before = isAll ? 0 : 2;
+        for (int i = 0; i < before; i++) {
+            window.give(window.add(0, 0, 0, 0, 1), 0, 0);
+        }
+        film(3, 0, 0);
+        for (long i = window.end() - 40; i < window.end(); i++) {
+            int id = 1 + (int) (i & 1);
+            window.give(window.at(i), id, id);
+        }
+        slices.add(new Slice(window, SENSOR, before, 0, SLICE_US));
+        competition.decide(slices, 0, paths, 100_000, isAll);
+        return countOf(1, 0) + countOf(2, 1);
+    }
+
+    @Test
+    public void claimsCountForMoreWhereARecordingHasBegunAndEnded() {
+        // an event meets its edge in two other columns, 3 x 0.7 and 3, or in two of nobody, 2 x 3 x 0.7 = 4.2 of the 7
+        // that it needs; twice that is enough
+        assertEquals(3 * 40, labelledOfThreeColumns(true));
+    }
+
+    @Test
+    public void claimsCountForNoMoreWhereEventsCameBeforeAndFollow() {
+        assertEquals(40, labelledOfThreeColumns(false));
+    }
+
     @Test
     public void eventThatNoMotionExplainsIsNoise() {
         film(30, 1, 2);
@@ -142,7 +171,7 @@ public class CompetitionTest {
         }
         slices.set(3, new Slice(until(slices.get(3).until), SENSOR, slices.get(3).from,
             slices.get(3).fromUs, slices.get(3).untilUs));
-        competition.decide(slices, 3, paths, 100_000);
+        competition.decide(slices, 3, paths, 100_000, false);
         int without = 0;
         for (long i = slices.get(3).from; i < slices.get(3).until; i += 10) {
             without += window.segment[window.at(i)] == 0 ? 1 : 0;
