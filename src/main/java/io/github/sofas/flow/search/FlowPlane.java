@@ -49,7 +49,9 @@ public final class FlowPlane {
     private long total;
     private boolean started;
 
-    private final VoteBlock block;
+    /** Events that a ring is to take in, and that are to leave it. */
+    private final VoteBlock coming;
+    private final VoteBlock leaving;
 
     /** Makes an empty plane for a sensor of so many px. */
     public FlowPlane(int sensorWidth, int sensorHeight, SofasParameters.Search p) {
@@ -58,7 +60,8 @@ public final class FlowPlane {
         sensor = new SensorSize(sensorWidth, sensorHeight);
         recent = new RecentEvents(sensor);
         searched = new SearchedTiles(sensor);
-        block = new VoteBlock(projections.columnBits(), projections.rowBits());
+        coming = new VoteBlock(projections.columnBits(), projections.rowBits());
+        leaving = new VoteBlock(projections.columnBits(), projections.rowBits());
         f = new short[n * n][projections.cells()];
         metric = new long[n * n];
         count = new int[n];
@@ -108,58 +111,60 @@ public final class FlowPlane {
         for (int i = 0; i < n; i++) {
             if (head - end[i] >= BLOCK || (nowUs - settledUs[i]) * WINDOW_PARTS >= projections.windowUs(i)) {
                 settledUs[i] = nowUs;
-                while (end[i] != head) {
-                    int to = end[i] + Math.min(BLOCK, head - end[i]);
-                    gather(i, end[i], to);
-                    vote(i, 1);
-                    end[i] = to;
-                }
-                release(i, nowUs - projections.windowUs(i));
+                long limitUs = nowUs - projections.windowUs(i);
+                do {
+                    takeIn(i, head);
+                    release(i, limitUs);
+                    vote(i);
+                } while (end[i] != head || oldest[i] != head && isOver(oldest[i], limitUs));
             }
             first = oldest[i] - first < 0 ? oldest[i] : first;
         }
         events.letGo(first);
     }
 
-    private void release(int ring, long limitUs) {
-        int from = oldest[ring];
-        while (from != end[ring] && isOver(from, limitUs)) {
-            int to = from;
-            while (to != end[ring] && to - from < BLOCK && isOver(to, limitUs)) {
-                to++;
-            }
-            gather(ring, from, to);
-            vote(ring, -1);
-            from = to;
+    /** Gathers some of the events that a ring has not taken in yet. */
+    private void takeIn(int ring, int head) {
+        int to = end[ring] + Math.min(BLOCK, head - end[ring]);
+        for (int e = end[ring]; e != to; e++) {
+            gather(ring, e, coming);
         }
-        oldest[ring] = from;
+        end[ring] = to;
+    }
+
+    /** Gathers some of the events that a ring has held long enough. */
+    private void release(int ring, long limitUs) {
+        int e = oldest[ring];
+        int to = e + Math.min(BLOCK, end[ring] - e);
+        while (e != to && isOver(e, limitUs)) {
+            gather(ring, e++, leaving);
+        }
+        oldest[ring] = e;
     }
 
     private boolean isOver(int event, long limitUs) {
         return events.timeUs(event) < limitUs || events.head() - event > MOST_EVENTS;
     }
 
-    private void gather(int ring, int from, int to) {
-        for (int e = from; e != to; e++) {
-            gather(ring, e);
-        }
-    }
-
-    /** Adds an event to the block unless it was taken out of the ring. */
-    private void gather(int ring, int event) {
+    /** Adds an event to a block unless it was taken out of the ring. */
+    private void gather(int ring, int event, VoteBlock block) {
         if (!events.isTakenOut(ring, event)) {
             block.add(events.x(event), events.y(event), events.timeUs(event) - epochUs, events.sign(event));
         }
     }
 
-    /** Adds the gathered events to the accumulators of a ring, or takes them out again with weight -1. */
-    private void vote(int ring, int weight) {
-        block.tick(projections.tickBits(ring));
+    /** Adds the events that come to the accumulators of a ring, and takes those that leave out again. */
+    private void vote(int ring) {
+        coming.tick(projections.tickBits(ring));
+        leaving.tick(projections.tickBits(ring));
         for (int k = ring * n; k < ring * n + n; k++) {
-            metric[k] += block.vote(f[k], projections.unitsPerTickX(k), projections.unitsPerTickY(k), weight);
+            // one after the other: the accumulator is in the first-level cache then
+            metric[k] += coming.vote(f[k], projections.unitsPerTickX(k), projections.unitsPerTickY(k), 1);
+            metric[k] += leaving.vote(f[k], projections.unitsPerTickX(k), projections.unitsPerTickY(k), -1);
         }
-        count[ring] += weight * block.size();
-        block.clear();
+        count[ring] += coming.size() - leaving.size();
+        coming.clear();
+        leaving.clear();
     }
 
     /**
@@ -174,14 +179,14 @@ public final class FlowPlane {
                 continue;
             }
             if (e - oldest[ring] >= 0 && e - end[ring] < 0) {
-                gather(ring, e);
+                gather(ring, e, leaving);
             }
             events.takeOut(ring, e);
-            if (block.isFull()) {
-                vote(ring, -1);
+            if (leaving.isFull()) {
+                vote(ring);
             }
         }
-        vote(ring, -1);
+        vote(ring);
     }
 
     /** Cell of an event in a projection. */
