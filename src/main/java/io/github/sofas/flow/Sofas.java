@@ -82,7 +82,7 @@ public final class Sofas implements EventLabeller {
 
     /**
      * {@return the upper bound of the memory that an engine holds, in bytes, whatever the events} It is the sum of its
-     * arrays, as large as they may grow. For 240 x 180 px it is 98 MB with the default preset and 275 MB with the
+     * arrays, as large as they may grow. For 240 x 180 px it is 99 MB with the default preset and 275 MB with the
      * paper's, with 64 track planes; with one, 58 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell

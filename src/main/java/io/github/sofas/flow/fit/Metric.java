@@ -6,7 +6,7 @@ package io.github.sofas.flow.fit;
  * what a unit of it shifts the event by.
  */
 final class Metric {
-    private static final int EVENT_BYTES = 12 * Integer.BYTES + Byte.BYTES;
+    private static final int EVENT_BYTES = 16 * Integer.BYTES + Byte.BYTES;
 
     /** Events, projected along the motion. */
     private final BilinearAccumulator grid;
@@ -17,12 +17,18 @@ final class Metric {
     /** Tiles, and whether they are those of these events. */
     private final Tiles tiles;
     private boolean tiled;
-    /** Shifts a unit of the parameter that is looked at. */
-    private final float[] shift;
+    // shifts a unit of each parameter: time, half its square, place from the centre times either; those of places are
+    // worked out when they are asked for
     private final ShiftProfile time;
-    /** For an acceleration in any direction, and whether it is that of these events. */
     private final ShiftProfile square;
+    private final ShiftProfile placeX;
+    private final ShiftProfile placeY;
+    private final ShiftProfile timeX;
+    private final ShiftProfile timeY;
+    private boolean laid;
     private boolean squared;
+    private boolean placed;
+    private final float[] shift;
     private final ShiftProfile alongX;
     private final ShiftProfile alongY;
 
@@ -35,6 +41,10 @@ final class Metric {
         tiles = new Tiles(capacity);
         time = new ShiftProfile(capacity);
         square = new ShiftProfile(capacity);
+        placeX = new ShiftProfile(capacity);
+        placeY = new ShiftProfile(capacity);
+        timeX = new ShiftProfile(capacity);
+        timeY = new ShiftProfile(capacity);
         alongX = new ShiftProfile(capacity);
         alongY = new ShiftProfile(capacity);
     }
@@ -59,6 +69,7 @@ final class Metric {
 
     void clear() {
         grid.clear();
+        laid = false;
     }
 
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
@@ -71,9 +82,14 @@ final class Metric {
 
     /** Lays out the events that were added, before the first metric of them. */
     void lay() {
+        if (laid) {
+            return;
+        }
         grid.lay();
         time.take(tau, grid.size());
+        laid = true;
         squared = false;
+        placed = false;
         tiled = false;
     }
 
@@ -89,46 +105,52 @@ final class Metric {
 
     /** At accelerations of h px/s² less and more along (dirX, dirY). */
     void alongAcceleration(double dirX, double dirY, double h, double[] lessAndMore) {
-        if (!squared) {
-            for (int i = 0; i < grid.size(); i++) {
-                shift[i] = 0.5f * tau[i] * tau[i];
-            }
-            square.take(shift, grid.size());
-            squared = true;
-        }
-        lessAndMore[0] = grid.metric(square, -h * dirX, square, -h * dirY);
-        lessAndMore[1] = grid.metric(square, h * dirX, square, h * dirY);
+        takeSquare();
+        lessAndMore(square, h / 2 * dirX, square, h / 2 * dirY, lessAndMore);
     }
 
     /** At rotations of h rad/s less and more. */
     void alongRotation(double h, double[] lessAndMore) {
-        alongPlace(fromY, -1, fromX, 1, false, h, lessAndMore);
-    }
-
-    /** At changes of the rotation of h rad/s² less and more. */
-    void alongSpin(double h, double[] lessAndMore) {
-        alongPlace(fromY, -1, fromX, 1, true, h, lessAndMore);
+        takePlaces();
+        lessAndMore(timeY, -h, timeX, h, lessAndMore);
     }
 
     /** At growths of h per s less and more. */
     void alongGrowth(double h, double[] lessAndMore) {
-        alongPlace(fromX, 1, fromY, 1, false, h, lessAndMore);
+        takePlaces();
+        lessAndMore(timeX, h, timeY, h, lessAndMore);
     }
 
-    /** Of shifts by places from the centre times the time, or half its square. */
-    private void alongPlace(float[] placeX, float signX, float[] placeY, float signY, boolean isSquare, double h,
-                            double[] lessAndMore) {
-        takePlace(placeX, signX, isSquare, alongX);
-        takePlace(placeY, signY, isSquare, alongY);
-        lessAndMore[0] = grid.metric(alongX, -h, alongY, -h);
-        lessAndMore[1] = grid.metric(alongX, h, alongY, h);
+    /** At changes of the rotation of h rad/s² less and more. */
+    void alongSpin(double h, double[] lessAndMore) {
+        takeSquare();
+        takePlaces();
+        alongX.takeProduct(placeY, square, grid.size());
+        alongY.takeProduct(placeX, square, grid.size());
+        lessAndMore(alongX, -h / 2, alongY, h / 2, lessAndMore);
     }
 
-    private void takePlace(float[] place, float sign, boolean isSquare, ShiftProfile along) {
-        for (int i = 0; i < grid.size(); i++) {
-            shift[i] = sign * place[i] * tau[i] * (isSquare ? 0.5f * tau[i] : 1);
+    private void lessAndMore(ShiftProfile x, double hx, ShiftProfile y, double hy, double[] metrics) {
+        metrics[0] = grid.metric(x, -hx, y, -hy);
+        metrics[1] = grid.metric(x, hx, y, hy);
+    }
+
+    private void takeSquare() {
+        if (!squared) {
+            square.takeProduct(time, time, grid.size());
+            squared = true;
         }
-        along.take(shift, grid.size());
+    }
+
+    private void takePlaces() {
+        if (!placed) {
+            int size = grid.size();
+            placeX.take(fromX, size);
+            placeY.take(fromY, size);
+            timeX.takeProduct(placeX, time, size);
+            timeY.takeProduct(placeY, time, size);
+            placed = true;
+        }
     }
 
     /** Of the events moved back by a rotation in rad/s and a growth in 1/s about the centre. */

@@ -20,12 +20,18 @@ public final class MetricFit {
     /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
     private static final double CHANGE_SIGMAS = 0.5;
 
+    /** The middle one of the nine projections. */
+    private static final int CENTRE = 4;
+
     private final Metric metric;
     private final ProjectionFrame frame = new ProjectionFrame();
     private final double[] m = new double[9];
     private final double[] lessAndMore = new double[2];
-    /** Metric at the velocity that was fitted around last. */
+    /** Metric at the velocity that was fitted around last, or asked for; which, and whether of these events. */
     private double here;
+    private double knownVx;
+    private double knownVy;
+    private boolean known;
     private final VelocityTop velocity = new VelocityTop();
     private final Parabola change = new Parabola();
 
@@ -57,6 +63,7 @@ public final class MetricFit {
     /** Forgets all events. */
     public void clear() {
         metric.clear();
+        known = false;
     }
 
     /**
@@ -74,8 +81,8 @@ public final class MetricFit {
 
     /** Whether the events meet more often where they are than moved back by velocity (vx, vy). */
     public boolean isSharperAtRest(double vx, double vy) {
-        metric.lay();
-        return metric.atVelocity(0, 0) > metric.atVelocity(vx, vy);
+        double moved = metric(vx, vy);
+        return metric.size() > 0 && metric.atVelocity(0, 0) > moved;
     }
 
     /** Metric of the events as they were projected; 0 of none. */
@@ -85,8 +92,17 @@ public final class MetricFit {
 
     /** Metric of the events moved back by velocity (vx, vy); 0 of none. */
     public double metric(double vx, double vy) {
-        metric.lay();
-        return metric.size() == 0 ? 0 : metric.atVelocity(vx, vy);
+        if (metric.size() == 0) {
+            return 0;
+        }
+        if (!known || vx != knownVx || vy != knownVy) {
+            metric.lay();
+            here = metric.atVelocity(vx, vy);
+            known = true;
+            knownVx = vx;
+            knownVy = vy;
+        }
+        return here;
     }
 
     /** Sets an upright frame of projections with equal distances in px/s. */
@@ -119,15 +135,11 @@ public final class MetricFit {
      * @return the top, until the next fit of a velocity
      */
     public VelocityTop fit(double vx0, double vy0, double sigmas) {
-        metric.lay();
-        double greatest = 0;
-        for (int j = 0; j < 3; j++) {
-            for (int i = 0; i < 3; i++) {
-                m[j * 3 + i] = metric.atVelocity(frame.vx(vx0, i - 1, j - 1), frame.vy(vy0, i - 1, j - 1));
-                greatest = Math.max(greatest, m[j * 3 + i]);
-            }
+        double greatest = Math.max(0, metric(vx0, vy0));
+        for (int k = 0; k < m.length; k++) {
+            m[k] = k == CENTRE ? here : beside(vx0, vy0, k % 3 - 1, k / 3 - 1);
+            greatest = Math.max(greatest, m[k]);
         }
-        here = m[4];
         double ga = (m[2] + m[5] + m[8] - m[0] - m[3] - m[6]) / 6;
         double gb = (m[6] + m[7] + m[8] - m[0] - m[1] - m[2]) / 6;
         double haa = (m[0] + m[2] + m[3] + m[5] + m[6] + m[8] - 2 * (m[1] + m[4] + m[7])) / 3;
@@ -141,15 +153,19 @@ public final class MetricFit {
      * axes of what is known, the corners tell how it has turned, and little else.
      */
     public VelocityTop fitCross(double vx0, double vy0, double sigmas) {
-        metric.lay();
-        here = metric.atVelocity(vx0, vy0);
-        double less1 = metric.atVelocity(frame.vx(vx0, -1, 0), frame.vy(vy0, -1, 0));
-        double more1 = metric.atVelocity(frame.vx(vx0, 1, 0), frame.vy(vy0, 1, 0));
-        double less2 = metric.atVelocity(frame.vx(vx0, 0, -1), frame.vy(vy0, 0, -1));
-        double more2 = metric.atVelocity(frame.vx(vx0, 0, 1), frame.vy(vy0, 0, 1));
+        metric(vx0, vy0);
+        double less1 = beside(vx0, vy0, -1, 0);
+        double more1 = beside(vx0, vy0, 1, 0);
+        double less2 = beside(vx0, vy0, 0, -1);
+        double more2 = beside(vx0, vy0, 0, 1);
         double greatest = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
         return velocity.of(frame, greatest, (more1 - less1) / 2, (more2 - less2) / 2, less1 + more1 - 2 * here,
             less2 + more2 - 2 * here, 0, sigmas);
+    }
+
+    /** Metric of a projection so many distances along the axes of the frame from a velocity. */
+    private double beside(double vx0, double vy0, int a, int b) {
+        return metric.atVelocity(frame.vx(vx0, a, b), frame.vy(vy0, a, b));
     }
 
     /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */

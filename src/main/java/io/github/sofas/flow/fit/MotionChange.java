@@ -17,6 +17,9 @@ public final class MotionChange {
     /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
     private static final double SURE_SIGMAS = 0.2;
     private static final double HALF_SURE_SIGMAS = 0.14;
+    /** Evidence that is so far beyond doubt that it is asked for less often, and how often. */
+    private static final double EVIDENT_SIGMAS = 1;
+    private static final int EVIDENT_EVERY = 4;
     /** Shift at the end of the window by rotation or growth below which neither shows in parts of it, in px. */
     private static final double LEAST_SHOWN_PX = 0.03;
     /** Metric that a turning or growth gains, in standard deviations, at which half of it is believed. */
@@ -130,9 +133,12 @@ public final class MotionChange {
             loss.grow = fitted.loss();
         }
         boolean mayShow = Math.max(Math.abs(newOmega), Math.abs(newGrowth)) > LEAST_SHOWN_PX * perPx;
-        double shows = mayShow
-            ? fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown) : 0;
-        evidence += EVIDENCE_GAIN * (shows - evidence);
+        if (!mayShow) {
+            evidence -= EVIDENCE_GAIN * evidence;
+        } else if (evidence < EVIDENT_SIGMAS || measurements % EVIDENT_EVERY == 0) {
+            double shows = fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown);
+            evidence += EVIDENCE_GAIN * (shows - evidence);
+        }
         double sure = sure();
         motion.omega = sure * newOmega;
         motion.growth = sure * newGrowth;

@@ -29,6 +29,21 @@ final class ShiftProfile {
         return mostShift;
     }
 
+    /** Takes the products of the shifts of two others. */
+    void takeProduct(ShiftProfile one, ShiftProfile other, int size) {
+        int greatest = one.mostShift * other.mostShift;
+        int down = Math.max(0, Integer.SIZE - Integer.numberOfLeadingZeros(greatest) - BITS);
+        int half = 1 << down >> 1;
+        unit = Math.scalb(one.unit * other.unit, down);
+        mostShift = greatest + half >> down;
+        int[] a = one.shift;
+        int[] b = other.shift;
+        int[] to = shift;
+        for (int i = 0; i < size; i++) {
+            to[i] = a[i] * b[i] + half >> down;
+        }
+    }
+
     /** Takes over the shifts of the first events. */
     void take(float[] values, int size) {
         float most = 0;

@@ -78,6 +78,22 @@ final class FlowPlaneEvents {
         return first;
     }
 
+    /** Number of the oldest event that is held and not before a time. */
+    int first(long fromUs) {
+        int low = first;
+        int count = head - first;
+        while (count > 0) {
+            int half = count / 2;
+            if (timeUs(low + half) < fromUs) {
+                low += half + 1;
+                count -= half + 1;
+            } else {
+                count = half;
+            }
+        }
+        return low;
+    }
+
     /** Lets all events before a number go. */
     void letGo(int before) {
         first = before;

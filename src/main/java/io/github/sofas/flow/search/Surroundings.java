@@ -32,6 +32,8 @@ final class Surroundings {
 
     /** Metric per event of a tile at least: events that hardly meet show no velocity. */
     private static final double LEAST_DENSITY = 0.7;
+    /** The same along the structure's motion, less than at the top near it: most tiles are told by this alone. */
+    private static final double LEAST_DENSITY_HERE = 0.8 * LEAST_DENSITY;
 
     /**
      * Share of the metric that a shift of both ends of the window by a pixel costs at least: where the top lies farther
@@ -256,16 +258,21 @@ final class Surroundings {
         }
         double tileVx = motion.vxAt(centreX(tile), centreY(tile), nowUs);
         double tileVy = motion.vyAt(centreX(tile), centreY(tile), nowUs);
-        if (fit.isSharperAtRest(tileVx, tileVy)) {
+        // in a sample events meet by so much less
+        double ofAll = (double) size / want / want;
+        if (fit.metric(tileVx, tileVy) * ofAll < LEAST_DENSITY_HERE || fit.isSharperAtRest(tileVx, tileVy)) {
             return false;
         }
         double px = 2 / window;
         fit.frame(STEP_PX * px);
         VelocityTop top = fit.fitCross(tileVx, tileVy, MetricFit.FLAT_SIGMAS);
-        // in a sample events meet by so much less
-        double density = top.metric() / want * size / want;
-        return density >= LEAST_DENSITY && top.steps() * STEP_PX < NEAR_PX
+        return top.metric() * ofAll >= LEAST_DENSITY && top.steps() * STEP_PX < NEAR_PX
             && top.bestLoss() * px * px >= LEAST_SHARPNESS * top.metric();
+    }
+
+    /** Time from which on events may have been those of the tiles: twice the travel that these were asked over. */
+    long seenFromUs() {
+        return nowUs - (long) (2 * window * 1e6);
     }
 
     /** Whether any tile moves alike. */

@@ -175,7 +175,7 @@ final class TakingOver {
         // fewer may be allowed by now
         hasHanded = isTracked || !structures.isFull();
         stage = hasHanded ? Stage.GATHERING : Stage.OVER;
-        gathered = events.first();
+        gathered = events.first(surroundings.seenFromUs());
         if (hasHanded && !isTracked) {
             long nowUs = plane.recent().newestUs();
             structure.begin(nowUs);

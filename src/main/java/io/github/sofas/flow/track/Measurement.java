@@ -169,7 +169,7 @@ final class Measurement {
      * @param wasMeasured whether it was measured from them just now, else held
      */
     void judge(boolean wasMeasured, Motion motion, LiveEvents live, double radius, MetricFit fit, long nowUs) {
-        if (count < LEAST_JUDGED) {
+        if (count < LEAST_JUDGED || wasMeasured && prediction.isSure(nowUs)) {
             return;
         }
         double along = wasMeasured && fit.size() >= LEAST_EVENTS ? loss.metric : 0;
@@ -240,7 +240,7 @@ final class Measurement {
 
     /** Number of the k-th event of a sample of so many events, in stretches from the first to the last. */
     static int sampled(int k, int want, int size) {
-        return k + (size - want) * (k * STRETCHES / want) / (STRETCHES - 1);
+        return size == want ? k : k + (size - want) * (k * STRETCHES / want) / (STRETCHES - 1);
     }
 
     private void improve(Motion motion, LiveEvents live, double half, double radius, MetricFit fit, double crossing) {

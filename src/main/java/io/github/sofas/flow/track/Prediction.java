@@ -14,15 +14,22 @@ final class Prediction {
     /** Travel against the events after which there is no structure that moves like this, in px. */
     private static final double WRONG_PX = 5;
 
+    /** Metric along the motion, as a multiple of that at rest, of what is judged less often. */
+    private static final double SURE = 1.5;
+    /** Part of the live events that must have gone before what is sure is judged again. */
+    private static final int SURE_PART = 2;
+
     private boolean holds;
     private double wrongPx;
     private long judgedUs;
+    private long sureUntilUs = Long.MIN_VALUE;
 
     /** Begins with a motion that is new, and not to be judged before it is measured again. */
     void restart() {
         holds = true;
         wrongPx = 0;
         judgedUs = 0;
+        sureUntilUs = Long.MIN_VALUE;
     }
 
     /** Whether the events meet no less along the motion than at rest; else it tells nothing of them for now. */
@@ -51,5 +58,11 @@ final class Prediction {
             wrongPx += speed * (nowUs - judgedUs) * 1e-6;
         }
         judgedUs = nowUs;
+        sureUntilUs = along > SURE * atRest ? nowUs + windowUs / SURE_PART : nowUs;
+    }
+
+    /** Whether it was judged not long ago by events that left no doubt. */
+    boolean isSure(long nowUs) {
+        return nowUs < sureUntilUs;
     }
 }

@@ -7,6 +7,7 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.PlainMotion;
 import io.github.sofas.flow.motion.PlainMotion.Place;
+import java.util.List;
 import java.util.Random;
 import org.junit.Test;
 
@@ -27,6 +28,9 @@ public class MotionChangeTest {
         motion.centreY = 40;
         return motion;
     }
+
+    /** Metrics on two grids that each measurement asked for last, with half a one for a structure tensor. */
+    private final int[] looks = new int[8];
 
     /** Measures a cloud of 40 px eight times, starting from the velocity that is right in the middle of the window. */
     private Motion measured(Motion truth, SofasParameters p) {
@@ -56,7 +60,9 @@ public class MotionChangeTest {
             }
             fit.frame(1 / HALF_S);
             loss.take(fit.fit(0, 0, MetricFit.FLAT_SIGMAS));
+            long before = fit.votes();
             change.measure(fit, motion, loss, HALF_S, RADIUS_PX, p.track());
+            looks[repeat] = (int) ((fit.votes() - before) / fit.size() / 2);
         }
         return motion;
     }
@@ -200,5 +206,15 @@ public class MotionChangeTest {
         assertEquals(Math.sqrt(0.0149), MotionChange.noisePx(0.07, 30, 300), 1e-12);
         assertEquals(0.07, MotionChange.noisePx(0.07, 30, 1_000_000), 1e-6);
         assertEquals(30, MotionChange.noisePx(0, 30, 0), 0);
+    }
+
+    @Test
+    public void turningBeyondDoubtIsAskedWithinTilesEveryFourthTime() {
+        Motion truth = steady();
+        truth.omega = 0.5;
+        measured(truth, DEFAULTS);
+        // two each for both accelerations, rotation, growth and the rotation's change, and two within tiles
+        assertEquals(List.of(12, 12), List.of(looks[0], looks[1]));
+        assertEquals(List.of(10, 10, 10, 12), List.of(looks[4], looks[5], looks[6], looks[7]));
     }
 }

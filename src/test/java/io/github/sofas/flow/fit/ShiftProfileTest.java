@@ -22,4 +22,28 @@ public class ShiftProfileTest {
         assertArrayEquals(new int[2], profile.shift);
         assertEquals(0, profile.unit(), 0);
     }
+
+    @Test
+    public void productsOfShiftsAreCountedInPowersOfTwo() {
+        ShiftProfile one = new ShiftProfile(3);
+        ShiftProfile other = new ShiftProfile(3);
+        one.take(new float[] {-0.75f, 0.5f, 0}, 3);
+        other.take(new float[] {0.75f, 0.25f, 0.5f}, 3);
+        ShiftProfile product = new ShiftProfile(3);
+        product.takeProduct(one, other, 3);
+        // 12288² has 28 bits, 14 too many: 9/16 = 9216/16384
+        assertArrayEquals(new int[] {-9216, 2048, 0}, product.shift);
+        assertEquals(1.0 / 16384, product.unit(), 0);
+        assertEquals(9216, product.most());
+    }
+
+    @Test
+    public void productWithWhatDoesNotShiftStays() {
+        ShiftProfile still = new ShiftProfile(2);
+        still.take(new float[2], 2);
+        ShiftProfile product = new ShiftProfile(2);
+        product.takeProduct(still, still, 2);
+        assertArrayEquals(new int[2], product.shift);
+        assertEquals(0, product.unit(), 0);
+    }
 }

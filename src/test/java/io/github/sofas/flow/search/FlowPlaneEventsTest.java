@@ -73,4 +73,14 @@ public class FlowPlaneEventsTest {
         add(0, 10);
         assertHeld(0, 10);
     }
+
+    @Test
+    public void firstOfATimeIsTheOldestHeldThatIsNotBeforeIt() {
+        add(0, 20_000);
+        events.letGo(9_000);
+        assertEquals(9_500, events.first(95_000));
+        assertEquals(9_501, events.first(95_001));
+        assertEquals("held no longer", 9_000, events.first(0));
+        assertEquals("yet to come", 20_000, events.first(1_000_000));
+    }
 }

@@ -186,4 +186,12 @@ public class SurroundingsTest {
         assertTrue(surroundings.has(80, 48, NOW_US));
         assertFalse(surroundings.has(144, 48, NOW_US));
     }
+
+    @Test
+    public void eventsOfTwiceTheTravelThatIsAskedOverMayHaveBeenThoseOfTheTiles() {
+        film(100, 0);
+        spreadFrom(40, 48);
+        // 4 px at 100 px/s
+        assertEquals(NOW_US - 80_000, surroundings.seenFromUs());
+    }
 }

@@ -72,4 +72,20 @@ public class PredictionTest {
         judge(100, 200, SPEED, 50_000);
         assertFalse(prediction.isRefuted());
     }
+
+    @Test
+    public void isSureForHalfAWindowOnceEventsMeetHalfAsOftenAgainAsAtRest() {
+        judge(601, 400, SPEED, 10_000);
+        assertTrue(prediction.isSure(nowUs + WINDOW_US / 2 - 1));
+        assertFalse(prediction.isSure(nowUs + WINDOW_US / 2));
+        judge(600, 400, SPEED, 10_000);
+        assertFalse("no more than half as often again", prediction.isSure(nowUs));
+    }
+
+    @Test
+    public void isSureOfNothingAtTheStart() {
+        judge(601, 400, SPEED, 10_000);
+        prediction.restart();
+        assertFalse(prediction.isSure(nowUs));
+    }
 }
