@@ -201,7 +201,7 @@ public class SmoothedSofasTest {
     public void whatComesNearGrowsWithoutLag() {
         SimulatedRecording film = SimulatedRecording.of(Scene.COMING_NEAR, SimulationOptions.defaults());
         Figures causal = figures(film, Labelling.atOnce(new Sofas(film.sensor(), SofasParameters.defaults())));
-        Figures ahead = figures(film, new SmoothedSofas(film.sensor(), SofasParameters.defaults(), 500_000));
+        Figures ahead = figures(film, new SmoothedSofas(film.sensor(), SofasParameters.defaults(), LOOK_AHEAD_US));
         assertTrue(causal.error + " at once, " + ahead.error + " ahead",
             ahead.error < 0.08 && ahead.error < 0.8 * causal.error);
     }

@@ -29,7 +29,12 @@ final class Measurement {
     private static final int MOST_SAMPLED = 4096;
     /** Fewest events between two measurements. */
     private static final int LEAST_NEWS = 40;
-    /** Parts of a sample, and of all live events, of which one must be new. */
+    /**
+     * Parts of events that are all measured, of a sample, and of all live events, of which one must be new. What swings
+     * or comes near is followed late with fewer measurements; those of a sample in stretches are off by the same each
+     * time, and more of them carry a motion away.
+     */
+    private static final int WHOLE_NEWS_PART = 8;
     private static final int NEWS_PART = 4;
     private static final int LIVE_NEWS_PART = 12;
     /**
@@ -132,9 +137,11 @@ final class Measurement {
         return count > LEAST_FULL;
     }
 
-    /** New events until it is measured again: a quarter of few, a twelfth of many, more where all are needed. */
+    /** New events until it is measured again: an eighth of few, a twelfth of many, more where a sample is large. */
     int newsNeeded(int liveEvents) {
-        return Math.max(LEAST_NEWS, Math.max(sample(liveEvents) / NEWS_PART, liveEvents / LIVE_NEWS_PART));
+        int sample = sample(liveEvents);
+        int ofSample = sample / (sample == liveEvents ? WHOLE_NEWS_PART : NEWS_PART);
+        return Math.max(LEAST_NEWS, Math.max(ofSample, liveEvents / LIVE_NEWS_PART));
     }
 
     /** Holds the motion where it cannot be measured. */

@@ -208,13 +208,13 @@ public class MeasurementTest {
     }
 
     @Test
-    public void quarterOfTheEventsMustBeNewAndATwelfthOfMany() {
+    public void eighthOfTheEventsMustBeNewAndATwelfthOfMany() {
         start(100);
         assertEquals("at least", 40, measurement.newsNeeded(100));
-        assertEquals(100, measurement.newsNeeded(400));
-        assertEquals(500, measurement.newsNeeded(2_000));
-        // before anything is known of how often they meet all are needed, and so a quarter of them
-        assertEquals(3_000, measurement.newsNeeded(12_000));
+        assertEquals(50, measurement.newsNeeded(400));
+        assertEquals(250, measurement.newsNeeded(2_000));
+        // before anything is known of how often they meet all are needed, and so an eighth of them
+        assertEquals(1_500, measurement.newsNeeded(12_000));
         // ten events a cell and more meet often: 4,096 of them are enough, of which a quarter must be new, or a twelfth
         // of all
         for (int i = 0; i < 12_000; i++) {

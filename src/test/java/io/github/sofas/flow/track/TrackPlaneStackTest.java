@@ -208,8 +208,8 @@ public class TrackPlaneStackTest {
     }
 
     /**
-     * Events that the edge at column 40 is measured from when it enters two more: with the 49th event a quarter of the
-     * 199 that are held is new. Of its past there are the columns of the last 50 ms, 37 to 40.
+     * Events that the edge at column 40 is measured from when it enters two more: with the 40th event, the least
+     * that is new. Of its past there are the columns of the last 50 ms, 37 to 40.
      */
     private int measured() {
         for (int c = 1; c <= 2; c++) {
@@ -224,7 +224,7 @@ public class TrackPlaneStackTest {
     @Test
     public void eventThatOnePlaneClaimsMeasuresIt() {
         begin(40, 30, 100, 1);
-        assertEquals(4 * ROWS + 49, measured());
+        assertEquals(4 * ROWS + 40, measured());
     }
 
     @Test

@@ -238,9 +238,10 @@ public class TrackPlaneTest {
         plane.recentre(fit, nowUs);
         take(column, 45, nowUs, 1, Claim.OWN);
         long votes = fit.votes();
-        plane.measureIfLate(fit, nowUs + 20_000);
+        long lateUs = Math.max(20_000, plane.lifetimeUs() / 4);
+        plane.measureIfLate(fit, nowUs + lateUs);
         assertEquals(votes, fit.votes());
-        plane.measureIfLate(fit, nowUs + 20_001);
+        plane.measureIfLate(fit, nowUs + lateUs + 1);
         assertTrue(fit.votes() > votes);
         // nothing new since
         votes = fit.votes();
@@ -281,13 +282,13 @@ public class TrackPlaneTest {
         assertTrue(plane.remembered(column, 71, nowUs) > 0);
     }
 
-    /** Changes its speed for 25 px, from 100 px/s, then goes on at the one it has, with every sixth row only. */
+    /** Changes its speed for 25 px, from 100 px/s, then goes on at the one it has, with every fifth row only. */
     private void changeSpeedAndThin(double accelerationPxPerS2) {
         start(20);
         goOn(10);
         double speed = 100;
         for (int c = 0; c < 55; c++) {
-            for (int y = 0; y < ROWS; y += c < 25 ? 1 : 6) {
+            for (int y = 0; y < ROWS; y += c < 25 ? 1 : 5) {
                 take(column, 30 + y, nowUs, 1, Claim.OWN);
             }
             column++;
