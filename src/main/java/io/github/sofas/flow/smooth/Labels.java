@@ -84,13 +84,24 @@ final class Labels {
         }
     }
 
-    /** Notes that the engine ended a segment; false where it was what is left of one that was known again. */
+    /**
+     * Notes that the engine ended a segment; false where it was what is left of one that was known again. What is left
+     * of one that was known again in this is all of it from now on, the newest where there are several: it may get the
+     * body's events again, and its motion would not be known.
+     */
     boolean endSegment(int segment) {
-        boolean isLeft = left.remove(segment);
-        if (!isLeft) {
-            ended.add(segment);
+        if (left.remove(segment)) {
+            return false;
         }
-        return !isLeft;
+        ended.add(segment);
+        int newest = 0;
+        for (int other : left) {
+            if (path(other) == path(segment)) {
+                newest = Math.max(newest, other);
+            }
+        }
+        resume(newest);
+        return true;
     }
 
     /** Whether a segment was known again in another one, which has its path now. */

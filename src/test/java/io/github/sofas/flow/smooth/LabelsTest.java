@@ -47,6 +47,17 @@ public class LabelsTest {
     }
 
     @Test
+    public void whatIsLeftIsAllOfItOnceTheOneItWasKnownAgainInEnds() {
+        labels.joinPaths(7, 2);
+        labels.joinPaths(9, 2);
+        labels.joinPaths(8, 3);
+        assertTrue(labels.endSegment(9));
+        assertFalse("the newest gets its events again", labels.isLeft(7));
+        assertTrue(labels.isLeft(2));
+        assertTrue("another's is left", labels.isLeft(3));
+    }
+
+    @Test
     public void forgetsWhatIsOver() {
         labels.joinPaths(5, 1);
         labels.join(1, 2);
