@@ -133,10 +133,9 @@ public final class MotionChange {
             loss.grow = fitted.loss();
         }
         boolean mayShow = Math.max(Math.abs(newOmega), Math.abs(newGrowth)) > LEAST_SHOWN_PX * perPx;
-        if (!mayShow) {
-            evidence -= EVIDENCE_GAIN * evidence;
-        } else if (evidence < EVIDENT_SIGMAS || measurements % EVIDENT_EVERY == 0) {
-            double shows = fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown);
+        if (!mayShow || evidence < EVIDENT_SIGMAS || measurements % EVIDENT_EVERY == 0) {
+            double shows = mayShow
+                ? fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown) : 0;
             evidence += EVIDENCE_GAIN * (shows - evidence);
         }
         double sure = sure();

@@ -4,7 +4,7 @@ package io.github.sofas.flow.search;
  * The events that the flow plane holds, by number in the order in which they came, with a mark for each ring of
  * projections that an event was taken out of or looked at in vain in. A ring of arrays that grow with what is held.
  */
-final class FlowPlaneEvents {
+final class FlowPlaneEvents implements NumberedEvents {
     /** Events that its arrays have room for at most. */
     static final int MOST_HELD = 1 << 20;
     private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES;
@@ -68,30 +68,14 @@ final class FlowPlaneEvents {
         mask = capacity - 1;
     }
 
-    /** Number after the newest event. */
-    int head() {
+    @Override
+    public int head() {
         return head;
     }
 
-    /** Number of the oldest event that is held. */
-    int first() {
+    @Override
+    public int oldest() {
         return first;
-    }
-
-    /** Number of the oldest event that is held and not before a time. */
-    int first(long fromUs) {
-        int low = first;
-        int count = head - first;
-        while (count > 0) {
-            int half = count / 2;
-            if (timeUs(low + half) < fromUs) {
-                low += half + 1;
-                count -= half + 1;
-            } else {
-                count = half;
-            }
-        }
-        return low;
     }
 
     /** Lets all events before a number go. */
@@ -112,7 +96,8 @@ final class FlowPlaneEvents {
         return y[event & mask];
     }
 
-    long timeUs(int event) {
+    @Override
+    public long timeUs(int event) {
         return timeUs[event & mask];
     }
 

@@ -6,7 +6,7 @@ import io.github.sofas.event.SensorSize;
  * The newest events that no track plane took, also of tiles that are not searched: what a structure that is found takes
  * over from its surroundings. A ring by number, in which each event costs its place only.
  */
-final class RecentEvents {
+final class RecentEvents implements NumberedEvents {
     /** Events for each pixel of the sensor, at least: more than the densest texture gives in a few px of travel. */
     private static final int PER_PIXEL = 2;
     private static final int MOST = 1 << 20;
@@ -50,35 +50,19 @@ final class RecentEvents {
         size = Math.min(size + 1, mask + 1);
     }
 
-    /** Number after the newest event. */
-    int head() {
+    @Override
+    public int head() {
         return head;
     }
 
-    /** Number of the oldest event that is held. */
-    int oldest() {
+    @Override
+    public int oldest() {
         return head - size;
     }
 
     /** Time of the newest event. */
     long newestUs() {
         return timeUs[head - 1 & mask];
-    }
-
-    /** Number of the oldest event that is held and not before a time. */
-    int first(long fromUs) {
-        int low = oldest();
-        int count = size;
-        while (count > 0) {
-            int half = count / 2;
-            if (timeUs[low + half & mask] < fromUs) {
-                low += half + 1;
-                count -= half + 1;
-            } else {
-                count = half;
-            }
-        }
-        return low;
     }
 
     int x(int event) {
@@ -89,7 +73,8 @@ final class RecentEvents {
         return y[event & mask];
     }
 
-    long timeUs(int event) {
+    @Override
+    public long timeUs(int event) {
         return timeUs[event & mask];
     }
 

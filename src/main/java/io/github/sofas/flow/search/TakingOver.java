@@ -185,7 +185,7 @@ final class TakingOver {
 
     /** Looks through some of the flow plane's events for what was handed over. */
     private void gather() {
-        gathered = events.holds(gathered) ? gathered : events.first();
+        gathered = events.holds(gathered) ? gathered : events.oldest();
         int end = gathered + Math.min(GATHERED_AT_ONCE, events.head() - gathered);
         budget.spend(GATHERED_AT_ONCE / GATHERED_PER_VOTE);
         for (; gathered != end; gathered++) {

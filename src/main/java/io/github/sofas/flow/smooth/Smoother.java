@@ -49,7 +49,6 @@ public final class Smoother {
     private long taken;
     private long newestUs = Long.MIN_VALUE;
     /** Whether no events follow. */
-    private boolean isComplete;
     private boolean finished;
 
     /**
@@ -260,7 +259,7 @@ public final class Smoother {
                 near.add(path);
             }
         }
-        competition.decide(slices, index, near, AHEAD * sliceUs, isComplete);
+        competition.decide(slices, index, near, AHEAD * sliceUs, finished);
     }
 
     private void settle(Slice slice) {
@@ -285,11 +284,10 @@ public final class Smoother {
 
     /** Labels all events for good. */
     public void finish() {
-        isComplete = true;
+        finished = true;
         while (labelled < window.end()) {
             endSlice(sliceUntilUs());
         }
-        finished = true;
     }
 
     /** Whether no event gets a label unless the engine finds more of it, and all that it was given to were taken. */

@@ -90,7 +90,7 @@ public class TakingOverTest {
 
     private void begin() {
         takingOver.begin(100, 0);
-        takingOver.addPlace(plane.events().first());
+        takingOver.addPlace(plane.events().oldest());
     }
 
     private void goOnToTheEnd() {
