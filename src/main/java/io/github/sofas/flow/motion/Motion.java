@@ -103,4 +103,18 @@ public final class Motion {
     public double speed(double radius) {
         return Math.sqrt(vx * vx + vy * vy + (omega * omega + growth * growth) * radius * radius);
     }
+
+    /**
+     * Speed in px/s at which what moves like this leaves what moves like another motion of the same time, root of the
+     * mean square over points whose distance from the centre of this one has that of radius.
+     */
+    public double speedFrom(Motion other, double radius) {
+        double rx = centreX - other.centreX;
+        double ry = centreY - other.centreY;
+        double dvx = vx - other.vx - other.growth * rx + other.omega * ry;
+        double dvy = vy - other.vy - other.growth * ry - other.omega * rx;
+        double turn = (omega - other.omega) * radius;
+        double grow = (growth - other.growth) * radius;
+        return Math.sqrt(dvx * dvx + dvy * dvy + turn * turn + grow * grow);
+    }
 }

@@ -1,10 +1,8 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
-import io.github.sofas.flow.fit.CommonMotion;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.MeasuredMotions;
 import io.github.sofas.flow.motion.Motion;
@@ -18,7 +16,8 @@ import io.github.sofas.flow.motion.Motion;
  * and a growth, so that the velocity is that of now and not of the middle of the window.
  *
  * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, merges and ends
- * it. What each of these does is in {@link Contour}, {@link Measurement}, {@link LiveEvents} and {@link ContourMemory}.
+ * it. What each of these does is in {@link LiveEvents}, {@link Measurement}, {@link MeasuredMotion}, {@link Contour},
+ * {@link ContourMemory} and {@link EventDensity}.
  */
 public final class TrackPlane {
     /** Events that a structure must have had to be waited for while it is hidden. */
@@ -30,20 +29,11 @@ public final class TrackPlane {
     private static final long MAX_LIFETIME_US = 1_000_000;
     /** Longest time for which the contour is remembered: what stands still would haunt its place. */
     private static final long MAX_MEMORY_US = 2_000_000;
-    /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
-    private static final double MERGE_LOSS = 0.02;
-    /** Gap between boxes that may merge, as a share of the shorter of their longer sides. */
-    private static final double MERGE_GAP_SHARE = 0.8;
-    /** What is left of the usual density with each look at it, and what is taken of the one of now. */
-    private static final double USUAL_KEPT = 0.999;
-
-    /** Share of the measured velocity by which that of a structure which gets too few events may have changed since. */
-    private static final double ADRIFT_SHARE = 0.25;
-    /** Part of its lifetime for which it may have changed by more: so long a structure takes to turn back. */
+    /**
+     * Part of its lifetime for which what gets too few events may move otherwise than was measured: so long a structure
+     * takes to turn back.
+     */
     private static final int ADRIFT_PART = 2;
-
-    /** Share of what a common rotation and growth explain that they may fail to explain. */
-    private static final double SHOWN_LOST = 0.15;
 
     /** What is to be done with a structure. */
     enum State {
@@ -63,12 +53,9 @@ public final class TrackPlane {
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
     private final Measurement measurement;
-    private final MeasuredMotions measured;
-    /** What was measured before it had a number, if anything was. */
-    private final Motion firstMeasured = new Motion();
-    private boolean isMeasured;
+    private final MeasuredMotion measured;
+    private final EventDensity density = new EventDensity();
 
-    private int id;
     private int served;
     private long firstUs;
     private long lastUs;
@@ -77,24 +64,19 @@ public final class TrackPlane {
     private long waitingSinceUs;
     /** Whether it is waited for along a motion that was not measured. */
     private boolean adrift;
-    /** Velocity that was measured last, in px/s. */
-    private double measuredVx;
-    private double measuredVy;
 
     private long lifetimeUs;
     private int sinceMeasured;
     private long measuredUs;
     private long widenedUs;
-    /** Events per px of travel: as many at any speed. */
-    private double usualDensity;
 
-    TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions measured) {
+    TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
         this.sensor = sensor;
         this.p = p;
         contour = new Contour(sensor, spare);
         memory = new ContourMemory(sensor.width(), sensor.height());
         measurement = new Measurement(p);
-        this.measured = measured;
+        measured = new MeasuredMotion(listener);
     }
 
     /** The most bytes that its arrays take. */
@@ -105,16 +87,14 @@ public final class TrackPlane {
 
     /** Begins with the velocity of a new structure, which has no number yet; its events are to be added. */
     void start(long nowUs, double vx, double vy) {
-        id = 0;
         served++;
-        isMeasured = false;
         firstUs = nowUs;
         lastUs = nowUs;
         events = 0;
         state = State.TRACKED;
         adrift = false;
-        measuredVx = vx;
-        measuredVy = vy;
+        measured.start(vx, vy);
+        density.start();
         live.clear();
         motion.set(nowUs, vx, vy);
         contour.start(motion);
@@ -124,15 +104,11 @@ public final class TrackPlane {
         sinceMeasured = 0;
         measuredUs = nowUs;
         widenedUs = nowUs;
-        usualDensity = 0;
     }
 
     /** Gives it its number, under which its motion is told from then on. */
-    void number(int newId) {
-        id = newId;
-        if (isMeasured) {
-            measured.measured(id, firstMeasured);
-        }
+    void number(int id) {
+        measured.number(id);
     }
 
     /** How many structures it has served, with this one. */
@@ -142,12 +118,27 @@ public final class TrackPlane {
 
     /** Its number, from 1 on; 0 where it has none yet. */
     public int id() {
-        return id;
+        return measured.id();
     }
 
     /** How it moves. */
     public Motion motion() {
         return motion;
+    }
+
+    /** How its motion was measured, and what is known of it. */
+    Measurement measurement() {
+        return measurement;
+    }
+
+    /** Where its events fell of late. */
+    Contour contour() {
+        return contour;
+    }
+
+    /** Whether it has events that its motion can be measured from. */
+    boolean hasLiveEvents() {
+        return live.size() > 0;
     }
 
     /** Speed of its contour in px/s, root of the mean square. */
@@ -240,19 +231,9 @@ public final class TrackPlane {
         return measurement.isPredictive() && !adrift;
     }
 
-    /** Events of the structure per px of travel. */
-    private double eventsPerPx() {
-        return live.size() * (double) live.thinning() / measurement.lifetimePx();
-    }
-
     /** Whether it gets fewer events than its motion lets expect. */
     private boolean isStarved() {
-        return live.size() < Measurement.LEAST_EVENTS || eventsPerPx() < p.minShare() * usualDensity;
-    }
-
-    private void followDensity() {
-        double now = eventsPerPx();
-        usualDensity = Math.max(now, usualDensity * USUAL_KEPT + now * (1 - USUAL_KEPT));
+        return density.isStarved(live, measurement.lifetimePx(), p.minShare());
     }
 
     /** Goes to the state that it is in by now: the only place where it changes. */
@@ -264,7 +245,7 @@ public final class TrackPlane {
             live.widen();
         }
         contour.fade(nowUs, lifetimeUs);
-        followDensity();
+        density.follow(live, measurement.lifetimePx());
         if (!isStarved()) {
             state = State.TRACKED;
         } else if (state == State.TRACKED) {
@@ -278,18 +259,8 @@ public final class TrackPlane {
             state = State.ENDED;
         }
         adrift = state == State.WAITED_FOR && nowUs - waitingSinceUs >= lifetimeUs / ADRIFT_PART
-            && isOtherThanMeasured();
+            && measured.isOther(motion);
         return state;
-    }
-
-    /**
-     * Whether it has gone on to another velocity since it was measured: what reverses or pauses within a few pixels
-     * seems to slow down or speed up without end, gets few events there, and would label others at that velocity.
-     */
-    private boolean isOtherThanMeasured() {
-        double dx = motion.vx - measuredVx;
-        double dy = motion.vy - measuredVy;
-        return dx * dx + dy * dy > ADRIFT_SHARE * ADRIFT_SHARE * (measuredVx * measuredVx + measuredVy * measuredVy);
     }
 
     private boolean hasLeft(long nowUs) {
@@ -315,28 +286,17 @@ public final class TrackPlane {
         }
         before.copyFrom(motion);
         before.moveReference(nowUs);
-        followDensity();
+        density.follow(live, measurement.lifetimePx());
         if (isStarved()) {
             // what is left is noise, or too little: the motion is held
             measurement.hold(motion);
             measurement.judge(false, motion, live, contour.radius(), fit, nowUs);
         } else if (nowUs - live.oldestUs() > 10) {
             measurement.measure(motion, live, contour.radius(), fit, lifetimeUs, nowUs);
-            measuredVx = motion.vx;
-            measuredVy = motion.vy;
-            tell();
+            measured.take(motion);
             measurement.judge(true, motion, live, contour.radius(), fit, nowUs);
         }
         carryOn(nowUs);
-    }
-
-    private void tell() {
-        if (id == 0) {
-            isMeasured = true;
-            firstMeasured.copyFrom(motion);
-        } else {
-            measured.measured(id, motion);
-        }
     }
 
     /** Goes on along the motion as it is known now. */
@@ -361,55 +321,13 @@ public final class TrackPlane {
 
     /** Whether the motion was corrected by so much that the contour no longer lies where it is. */
     private boolean isMovedOff() {
-        double half = lifetimeUs * 0.5e-6;
-        double rx = motion.centreX - before.centreX;
-        double ry = motion.centreY - before.centreY;
-        double vx = motion.vx - before.vx - before.growth * rx + before.omega * ry;
-        double vy = motion.vy - before.vy - before.growth * ry - before.omega * rx;
-        double turn = (motion.omega - before.omega) * contour.radius();
-        double grow = (motion.growth - before.growth) * contour.radius();
-        double shift = Math.sqrt(vx * vx + vy * vy + turn * turn + grow * grow) * half;
-        return contour.isEmpty() || shift > Contour.REDRAWN_PX;
+        return contour.isEmpty()
+            || motion.speedFrom(before, contour.radius()) * (lifetimeUs * 0.5e-6) > Contour.REDRAWN_PX;
     }
 
     /** Time in which the structure travels the pixels that it remembers its contour for. */
     private long memoryUs() {
         return (long) Math.min(MAX_MEMORY_US, p.memoryPx() / Math.max(speed(), 1e-3) * 1e6);
-    }
-
-    /**
-     * Whether another plane describes the same structure: boxes that touch or nearly do, and one motion that serves
-     * both with little loss of metric.
-     *
-     * @param common is left with that motion
-     */
-    boolean describesSameAs(TrackPlane other, CommonMotion common, long nowUs) {
-        if (live.size() + other.live.size() == 0 || !measurement.isSharp() || !other.measurement.isSharp()) {
-            return false;
-        }
-        double gap = Math.max(4, MERGE_GAP_SHARE * Math.min(contour.extent(), other.contour.extent()));
-        return isNear(other, nowUs, gap)
-            && (sharesVelocity(other, common, nowUs) || sharesMotion(other, common, nowUs));
-    }
-
-    private boolean isNear(TrackPlane other, long nowUs, double gap) {
-        return contour.left(nowUs) <= other.contour.right(nowUs) + gap
-            && other.contour.left(nowUs) <= contour.right(nowUs) + gap
-            && contour.top(nowUs) <= other.contour.bottom(nowUs) + gap
-            && other.contour.top(nowUs) <= contour.bottom(nowUs) + gap;
-    }
-
-    private boolean sharesVelocity(TrackPlane other, CommonMotion common, long nowUs) {
-        return common.fitVelocity(motion, measurement.loss(), other.motion, other.measurement.loss(), nowUs)
-            && common.lost() < MERGE_LOSS;
-    }
-
-    /** Any two velocities have some rotation and growth in common: it must show in each of the two by itself. */
-    private boolean sharesMotion(TrackPlane other, CommonMotion common, long nowUs) {
-        return measurement.knowsChange() && other.measurement.knowsChange()
-            && common.fit(motion, measurement.loss(), other.motion, other.measurement.loss(), nowUs)
-            && common.leastShown() > MERGE_LOSS
-            && common.lost() < Math.max(MERGE_LOSS, SHOWN_LOST * common.leastShown());
     }
 
     /**
@@ -438,7 +356,7 @@ public final class TrackPlane {
             memory.see(other.live.x[i], other.live.y[i], other.live.timeUs[i]);
         }
         live.expire(nowUs - lifetimeUs);
-        usualDensity = eventsPerPx();
+        density.start(live, measurement.lifetimePx());
         // enough to be measured with the next event, once for all planes that merge now
         sinceMeasured = live.size();
         return used;
@@ -456,16 +374,11 @@ public final class TrackPlane {
         live.clear();
     }
 
-    /** Shows the contour as it is at a time. */
-    void contour(long nowUs, PixelConsumer pixels) {
-        contour.show(nowUs, pixels);
-    }
-
     /** What is known of the structure. */
     Segment segment(Segment.Fate fate, int mergedInto) {
         // where all of the contour has faded it was seen last about its centre
         boolean faded = contour.isEmpty();
-        return new Segment(id, firstUs, lastUs, events, (float) motion.vx, (float) motion.vy,
+        return new Segment(id(), firstUs, lastUs, events, (float) motion.vx, (float) motion.vy,
             (float) motion.omega, (float) motion.growth,
             clip(faded ? motion.centreX : contour.left(lastUs), sensor.width()),
             clip(faded ? motion.centreY : contour.top(lastUs), sensor.height()),

@@ -5,7 +5,6 @@ import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
-import io.github.sofas.flow.fit.CommonMotion;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.MeasuredMotions;
 import java.util.ArrayList;
@@ -38,7 +37,7 @@ public final class TrackPlaneStack {
     private final List<TrackPlane> unused = new ArrayList<>();
     private final FoundPlanes found;
     private LiveEvents spare = new LiveEvents();
-    private final CommonMotion common = new CommonMotion();
+    private final Merging merging = new Merging();
     private final Doubts doubts;
     private int size;
     private int nextId = 1;
@@ -166,7 +165,7 @@ public final class TrackPlaneStack {
         }
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
-                if (planes[i].describesSameAs(planes[j], common, nowUs)) {
+                if (merging.areOne(planes[i], planes[j], nowUs)) {
                     merge(i, j, nowUs);
                 }
             }
@@ -180,7 +179,7 @@ public final class TrackPlaneStack {
             planes[j] = planes[i];
             planes[i] = older;
         }
-        spare = planes[i].merge(planes[j], common.motion(), spare, nowUs);
+        spare = planes[i].merge(planes[j], merging.motion(), spare, nowUs);
         end(j, Segment.Fate.MERGED, planes[i].id());
     }
 
@@ -255,7 +254,7 @@ public final class TrackPlaneStack {
     public void contour(int id, long nowUs, PixelConsumer pixels) {
         for (int i = 0; i < size; i++) {
             if (planes[i].id() == id) {
-                planes[i].contour(nowUs, pixels);
+                planes[i].contour().show(nowUs, pixels);
             }
         }
     }

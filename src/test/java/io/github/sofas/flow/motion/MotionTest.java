@@ -113,6 +113,29 @@ public class MotionTest {
     }
 
     @Test
+    public void speedFromAnotherMotionIsThatOfTheirDifferenceOverTheStructure() {
+        Motion motion = turningAndGrowing();
+        Motion other = new Motion();
+        other.set(1_000_000, 12, 7);
+        other.omega = -1;
+        other.growth = 0.2;
+        other.centreX = 60;
+        other.centreY = 25;
+        // by the velocities of four points 4 px from the centre of the first
+        double squares = 0;
+        for (int[] r : new int[][] {{4, 0}, {-4, 0}, {0, 4}, {0, -4}}) {
+            double vx = motion.vxAt(50 + r[0], 40 + r[1], 1_000_000) - other.vxAt(50 + r[0], 40 + r[1], 1_000_000);
+            double vy = motion.vyAt(50 + r[0], 40 + r[1], 1_000_000) - other.vyAt(50 + r[0], 40 + r[1], 1_000_000);
+            squares += vx * vx + vy * vy;
+        }
+        assertEquals(Math.sqrt(squares / 4), motion.speedFrom(other, 4), 1e-4);
+        // the same motion told of another centre
+        other.copyFrom(motion);
+        other.moveCentre(-13, 71);
+        assertEquals(0, motion.speedFrom(other, 4), 1e-9);
+    }
+
+    @Test
     public void newVelocityEndsEveryChangeAndLeavesTheCentre() {
         Motion motion = turningAndGrowing();
         motion.ax = 1;

@@ -1,0 +1,51 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.flow.fit.CommonMotion;
+import io.github.sofas.flow.motion.Motion;
+
+/**
+ * Whether two track planes describe one structure (paper, section Algorithm: such are merged). Ours: boxes that touch
+ * or nearly do, and one motion that serves both with little loss of metric.
+ */
+final class Merging {
+    /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
+    private static final double MOST_LOST = 0.02;
+    /** Share of what a common rotation and growth explain that they may fail to explain. */
+    private static final double SHOWN_LOST = 0.15;
+    /** Gap between boxes that may merge, as a share of the shorter of their longer sides, and at least so many px. */
+    private static final double GAP_SHARE = 0.8;
+    private static final double GAP_PX = 4;
+
+    private final CommonMotion common = new CommonMotion();
+
+    /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
+    boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
+        return (a.hasLiveEvents() || b.hasLiveEvents()) && a.measurement().isSharp() && b.measurement().isSharp()
+            && areNear(a.contour(), b.contour(), nowUs)
+            && (shareVelocity(a, b, nowUs) || shareMotion(a, b, nowUs));
+    }
+
+    private static boolean areNear(Contour a, Contour b, long nowUs) {
+        double gap = Math.max(GAP_PX, GAP_SHARE * Math.min(a.extent(), b.extent()));
+        return a.left(nowUs) <= b.right(nowUs) + gap && b.left(nowUs) <= a.right(nowUs) + gap
+            && a.top(nowUs) <= b.bottom(nowUs) + gap && b.top(nowUs) <= a.bottom(nowUs) + gap;
+    }
+
+    private boolean shareVelocity(TrackPlane a, TrackPlane b, long nowUs) {
+        return common.fitVelocity(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
+            && common.lost() < MOST_LOST;
+    }
+
+    /** Any two velocities have some rotation and growth in common: it must show in each of the two by itself. */
+    private boolean shareMotion(TrackPlane a, TrackPlane b, long nowUs) {
+        return a.measurement().knowsChange() && b.measurement().knowsChange()
+            && common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
+            && common.leastShown() > MOST_LOST
+            && common.lost() < Math.max(MOST_LOST, SHOWN_LOST * common.leastShown());
+    }
+
+    /** The motion that the two have in common which were asked for last and are one. */
+    Motion motion() {
+        return common.motion();
+    }
+}
