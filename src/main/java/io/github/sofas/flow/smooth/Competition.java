@@ -248,11 +248,12 @@ final class Competition {
         double t = Double.POSITIVE_INFINITY;
         double d = Double.NEGATIVE_INFINITY;
         for (int step = first; step <= last; step += Math.max(1, last - first)) {
+            projection.goTo(step);
             for (int corner = 0; corner < 4; corner++) {
                 double x = (corner & 1) == 0 ? left : right;
                 double y = (corner & 2) == 0 ? top : bottom;
-                double atX = projection.backX(step, x, y);
-                double atY = projection.backY(step, x, y);
+                double atX = projection.backX(x, y);
+                double atY = projection.backY(x, y);
                 l = Math.min(l, atX);
                 r = Math.max(r, atX);
                 t = Math.min(t, atY);
@@ -316,10 +317,11 @@ final class Competition {
                 return;
             }
             int step = projection.step(slice.fromUs - fromUs + afterUs);
+            projection.goTo(step);
             int eventX = slice.x(j);
             int eventY = slice.y(j);
-            double x = projection.x(step, eventX, eventY);
-            double y = projection.y(step, eventX, eventY);
+            double x = projection.x(eventX, eventY);
+            double y = projection.y(eventX, eventY);
             if (x < left || x > right || y < top || y > bottom) {
                 continue;
             }

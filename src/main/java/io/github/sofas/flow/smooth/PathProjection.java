@@ -25,8 +25,8 @@ final class PathProjection {
     // composed so far: from a time to the reference
     private double c;
     private double s;
-    private double x;
-    private double y;
+    private double wayX;
+    private double wayY;
 
     /**
      * Begins with a reference.
@@ -48,8 +48,8 @@ final class PathProjection {
     private void compose(SegmentPath path, long referenceUs, int first, int end, int by) {
         c = 1;
         s = 0;
-        x = 0;
-        y = 0;
+        wayX = 0;
+        wayY = 0;
         long us = referenceUs;
         for (int step = first; step != end; step += by) {
             long nextUs = fromUs + Math.round((step + 0.5) / stepsPerUs);
@@ -58,8 +58,8 @@ final class PathProjection {
             us = nextUs;
             cos[step] = c;
             sin[step] = s;
-            shiftX[step] = x;
-            shiftY[step] = y;
+            shiftX[step] = wayX;
+            shiftY[step] = wayY;
         }
     }
 
@@ -68,12 +68,12 @@ final class PathProjection {
         double shrunk = Math.exp(-motion.growth * seconds);
         double stepC = shrunk * Math.cos(motion.omega * seconds);
         double stepS = shrunk * Math.sin(motion.omega * seconds);
-        double wayX = 0.5 * seconds * motion.vx;
-        double wayY = 0.5 * seconds * motion.vy;
-        double toX = motion.centreX - wayX - stepC * (motion.centreX + wayX) - stepS * (motion.centreY + wayY);
-        double toY = motion.centreY - wayY - stepC * (motion.centreY + wayY) + stepS * (motion.centreX + wayX);
-        x += c * toX + s * toY;
-        y += c * toY - s * toX;
+        double halfX = 0.5 * seconds * motion.vx;
+        double halfY = 0.5 * seconds * motion.vy;
+        double toX = motion.centreX - halfX - stepC * (motion.centreX + halfX) - stepS * (motion.centreY + halfY);
+        double toY = motion.centreY - halfY - stepC * (motion.centreY + halfY) + stepS * (motion.centreX + halfX);
+        wayX += c * toX + s * toY;
+        wayY += c * toY - s * toX;
         double newC = c * stepC - s * stepS;
         s = c * stepS + s * stepC;
         c = newC;
@@ -104,7 +104,7 @@ final class PathProjection {
         return us;
     }
 
-    /** Goes to a step, for many events of it. */
+    /** Goes to a step: places are projected from it, or back to it, from then on. */
     void goTo(int step) {
         atCos = cos[step];
         atSin = sin[step];
@@ -112,7 +112,7 @@ final class PathProjection {
         atShiftY = shiftY[step];
     }
 
-    /** Column, at the reference, of what is at a place at the step that it went to. */
+    /** Column, at the reference, of what is at a place at the step. */
     double x(int atX, int atY) {
         return atCos * atX + atSin * atY + atShiftX;
     }
@@ -122,25 +122,13 @@ final class PathProjection {
         return atCos * atY - atSin * atX + atShiftY;
     }
 
-    /** Column, at the reference, of what is at a place at a step. */
-    double x(int step, int atX, int atY) {
-        return cos[step] * atX + sin[step] * atY + shiftX[step];
+    /** Column, at the step, of what is at a place at the reference. */
+    double backX(double x, double y) {
+        return (atCos * (x - atShiftX) - atSin * (y - atShiftY)) / (atCos * atCos + atSin * atSin);
     }
 
     /** Row. */
-    double y(int step, int atX, int atY) {
-        return cos[step] * atY - sin[step] * atX + shiftY[step];
-    }
-
-    /** Column, at a step, of what is at a place at the reference. */
-    double backX(int step, double atX, double atY) {
-        double scale = cos[step] * cos[step] + sin[step] * sin[step];
-        return (cos[step] * (atX - shiftX[step]) - sin[step] * (atY - shiftY[step])) / scale;
-    }
-
-    /** Row. */
-    double backY(int step, double atX, double atY) {
-        double scale = cos[step] * cos[step] + sin[step] * sin[step];
-        return (sin[step] * (atX - shiftX[step]) + cos[step] * (atY - shiftY[step])) / scale;
+    double backY(double x, double y) {
+        return (atSin * (x - atShiftX) + atCos * (y - atShiftY)) / (atCos * atCos + atSin * atSin);
     }
 }
