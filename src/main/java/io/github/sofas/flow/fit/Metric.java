@@ -69,7 +69,6 @@ final class Metric {
 
     void clear() {
         grid.clear();
-        laid = false;
     }
 
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
@@ -78,6 +77,7 @@ final class Metric {
         tau[i] = tauS;
         fromX[i] = rx;
         fromY[i] = ry;
+        laid = false;
     }
 
     /** Lays out the events that were added, before the first metric of them. */

@@ -63,11 +63,10 @@ public final class MetricFit {
     /** Forgets all events. */
     public void clear() {
         metric.clear();
-        known = false;
     }
 
     /**
-     * Adds an event.
+     * Adds an event; fits and metrics that are asked for from then on are of it, too.
      *
      * @param x projected column in px
      * @param y projected row in px
@@ -77,9 +76,10 @@ public final class MetricFit {
      */
     public void add(float x, float y, float tauS, float rx, float ry, int polarity) {
         metric.add(x, y, tauS, rx, ry, polarity);
+        known = false;
     }
 
-    /** Whether the events meet more often where they are than moved back by velocity (vx, vy). */
+    /** Whether the events meet more often as they were projected than moved back by velocity (vx, vy). */
     public boolean isSharperAtRest(double vx, double vy) {
         double moved = metric(vx, vy);
         return metric.size() > 0 && metric.atVelocity(0, 0) > moved;

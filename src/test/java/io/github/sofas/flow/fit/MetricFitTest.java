@@ -72,6 +72,24 @@ public class MetricFitTest {
     }
 
     @Test
+    public void eventThatIsAddedLaterCounts() {
+        MetricFit fit = new MetricFit(32, 24, 1, 4096, 1900);
+        fit.add(5, 5, -0.1f, 0, 0, 1);
+        fit.add(7, 5, 0.1f, 0, 0, 1);
+        // 2 px in 0.2 s: they meet wholly at 10 px/s, not where they are
+        assertEquals(0, fit.metric(), 0);
+        double two = fit.metric(10, 0);
+        assertEquals(plain(List.of(new Vote(5, 5, -0.1f, 1), new Vote(7, 5, 0.1f, 1)), 1, 10, 0), two, 1e-9);
+        // a third one far off the box of the two, which meets none, and a fourth one on it
+        fit.add(25, 20, 0.2f, 0, 0, 1);
+        assertEquals(two, fit.metric(10, 0), 1e-9);
+        fit.add(21, 20, -0.2f, 0, 0, 1);
+        assertEquals(plain(List.of(new Vote(5, 5, -0.1f, 1), new Vote(7, 5, 0.1f, 1), new Vote(25, 20, 0.2f, 1),
+            new Vote(21, 20, -0.2f, 1)), 1, 10, 0), fit.metric(10, 0), 1e-9);
+        assertTrue(fit.metric(10, 0) > 1.5 * two);
+    }
+
+    @Test
     public void metricIsTwiceTheSumOverAllPairs() {
         Random random = new Random(7);
         for (int run = 0; run < 60; run++) {
