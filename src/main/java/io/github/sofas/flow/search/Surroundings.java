@@ -42,8 +42,8 @@ final class Surroundings {
     private static final double LEAST_SHARPNESS = 0.1;
 
     /** Events that are gone through at a time, and how many of them cost as much as a vote of a fit. */
-    private static final int AT_ONCE = 256;
-    private static final int EVENTS_PER_VOTE = 2;
+    static final int AT_ONCE = 256;
+    static final int EVENTS_PER_VOTE = 2;
 
     private static final byte UNKNOWN = 0;
     private static final byte ASKED = 1;
@@ -70,7 +70,7 @@ final class Surroundings {
 
     // the structure: how it moves, and whether it is tracked, or is a new one
     private final Motion motion = new Motion();
-    private boolean isTracked;
+    private boolean isOfTracked;
     private long nowUs;
     /** The events that it is asked with: from the first to before the last. */
     private int first;
@@ -102,14 +102,14 @@ final class Surroundings {
     /** Begins with the velocity of a new structure in px/s; places of it are to be added, then to be asked from. */
     void begin(double structureVx, double structureVy, long atUs) {
         motion.set(atUs, structureVx, structureVy);
-        isTracked = false;
+        isOfTracked = false;
         begin(Math.sqrt(structureVx * structureVx + structureVy * structureVy), atUs);
     }
 
     /** Begins with a structure that is tracked, and moves: with the tiles in its box, and around it. */
     void begin(Structures.Structure structure, long atUs) {
         structure.copyMotion(motion);
-        isTracked = true;
+        isOfTracked = true;
         begin(structure.speed(), atUs);
         for (int tile = 0; tile < state.length; tile++) {
             if (structure.isAround(centreX(tile), centreY(tile), SIDE_PX, nowUs)) {
@@ -157,6 +157,11 @@ final class Surroundings {
             state[tile] = ASKED;
             queue[queued++] = tile;
         }
+    }
+
+    /** Whether the structure is one that is tracked, not a new one. */
+    boolean isOfTracked() {
+        return isOfTracked;
     }
 
     /** Whether all tiles are asked that are to be. */
@@ -309,7 +314,7 @@ final class Surroundings {
         for (int end = next + Math.min(AT_ONCE, events.head() - next); next != end; next++) {
             int tile = free(next);
             if (tile >= 0 && state[tile] == ALIKE) {
-                if (isTracked) {
+                if (isOfTracked) {
                     structure.see(events.x(next), events.y(next), events.timeUs(next), events.sign(next),
                         events.newestUs());
                 } else {

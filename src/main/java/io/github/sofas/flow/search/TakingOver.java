@@ -10,9 +10,6 @@ import io.github.sofas.flow.fit.MetricFit;
 final class TakingOver {
     /** Votes that cost as much as handing an event to a structure. */
     private static final int HANDED_VOTES = 24;
-    /** Events of the flow plane that are looked through at a time, and that cost as much as a vote of a fit. */
-    private static final int GATHERED_AT_ONCE = 256;
-    private static final int GATHERED_PER_VOTE = 2;
     /** Most events that are gone through at once to be handed to a structure which is tracked, between two slices. */
     private static final int MOST_SEEN = 4096;
     /**
@@ -36,7 +33,6 @@ final class TakingOver {
     private Stage stage = Stage.OVER;
     /** The structure: a new one is made when there is something to be handed to it. */
     private Structures.Structure structure;
-    private boolean isTracked;
     private double vx;
     private double vy;
     private long earnedUs;
@@ -59,7 +55,6 @@ final class TakingOver {
     void begin(double structureVx, double structureVy) {
         vx = structureVx;
         vy = structureVy;
-        isTracked = false;
         begin();
         surroundings.begin(vx, vy, earnedUs);
     }
@@ -84,12 +79,12 @@ final class TakingOver {
     /** Begins with a structure that is tracked and due; returns whether there is one. */
     boolean beginWithDue() {
         structure = spreading.due(plane.recent().newestUs());
-        isTracked = structure != null;
-        if (isTracked) {
-            begin();
-            surroundings.begin(structure, earnedUs);
+        if (structure == null) {
+            return false;
         }
-        return isTracked;
+        begin();
+        surroundings.begin(structure, earnedUs);
+        return true;
     }
 
     /** Whether nothing is left to be done. */
@@ -104,12 +99,12 @@ final class TakingOver {
 
     /** Whether the structure was tracked before. */
     boolean isOfTracked() {
-        return isTracked;
+        return surroundings.isOfTracked();
     }
 
     /** Whether it goes on only while nobody else works with the structure. */
     boolean waits() {
-        return stage == Stage.HANDING && isTracked;
+        return stage == Stage.HANDING && isOfTracked();
     }
 
     /** Earns votes with another event. */
@@ -149,18 +144,18 @@ final class TakingOver {
     private void ask(int fewest) {
         if (!surroundings.isAsked()) {
             budget.spend(surroundings.ask(fewest));
-        } else if (!surroundings.isAny() || !isTracked && structures.isFull()) {
+        } else if (!surroundings.isAny() || !isOfTracked() && structures.isFull()) {
             stage = Stage.OVER;
         } else {
             budget.letGo();
-            structure = isTracked ? structure : structures.create(plane.recent().newestUs(), vx, vy);
+            structure = isOfTracked() ? structure : structures.create(plane.recent().newestUs(), vx, vy);
             stage = Stage.HANDING;
         }
     }
 
     /** Hands some events over; returns how many it has gone through. */
     private int hand() {
-        if (isTracked && !structure.isTracked()) {
+        if (isOfTracked() && !structure.isTracked()) {
             stage = Stage.OVER;
             return 0;
         }
@@ -173,10 +168,10 @@ final class TakingOver {
 
     private void endHanding() {
         // fewer may be allowed by now
-        hasHanded = isTracked || !structures.isFull();
+        hasHanded = isOfTracked() || !structures.isFull();
         stage = hasHanded ? Stage.GATHERING : Stage.OVER;
         gathered = events.first(surroundings.seenFromUs());
-        if (hasHanded && !isTracked) {
+        if (hasHanded && !isOfTracked()) {
             long nowUs = plane.recent().newestUs();
             structure.begin(nowUs);
             spreading.add(structure, nowUs);
@@ -186,8 +181,8 @@ final class TakingOver {
     /** Looks through some of the flow plane's events for what was handed over. */
     private void gather() {
         gathered = events.holds(gathered) ? gathered : events.oldest();
-        int end = gathered + Math.min(GATHERED_AT_ONCE, events.head() - gathered);
-        budget.spend(GATHERED_AT_ONCE / GATHERED_PER_VOTE);
+        int end = gathered + Math.min(Surroundings.AT_ONCE, events.head() - gathered);
+        budget.spend(Surroundings.AT_ONCE / Surroundings.EVENTS_PER_VOTE);
         for (; gathered != end; gathered++) {
             if (!events.isTakenOut(gathered)
                     && surroundings.has(events.x(gathered), events.y(gathered), events.timeUs(gathered))) {
