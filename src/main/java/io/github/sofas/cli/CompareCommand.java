@@ -10,7 +10,6 @@ import io.github.sofas.evaluate.TruthCsvReader;
 import io.github.sofas.evaluate.TruthException;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
-import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.LabelledSource;
 import io.github.sofas.flow.Sofas;
@@ -32,6 +31,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.DoubleSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -144,22 +144,10 @@ final class CompareCommand implements Callable<Integer> {
 
     private Labelled engine(MethodChoice method) throws EventSourceException {
         try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions());
-                LookAheadInTwo ahead = method.inTwo(reader.sensor())) {
-            LabelledSource source = new LabelledSource(reader,
-                ahead != null ? ahead : method.labelling(reader.sensor(), ended -> { }));
-            String name = method.looksAhead() ? ENGINE_AHEAD : ENGINE;
-            EventSourceException damage = null;
-            EventBatch batch = new EventBatch(BATCH);
-            FlowOutput output = new FlowOutput(BATCH);
-            FlowEstimate estimate = new FlowEstimate();
-            try {
-                while (source.next(batch, output)) {
-                    estimate.append(output, batch.size());
-                }
-            } catch (EventSourceException e) {
-                damage = e;
-            }
-            return new Labelled(name, estimate, source.labellingNs() * 1e-9, damage);
+                OpenLabelling open = method.open(reader.sensor())) {
+            LabelledSource source = new LabelledSource(reader, open.labelling());
+            return labelled(method.looksAhead() ? ENGINE_AHEAD : ENGINE, source::next,
+                () -> source.labellingNs() * 1e-9);
         }
     }
 
@@ -167,29 +155,29 @@ final class CompareCommand implements Callable<Integer> {
             throws EventSourceException, JaerException {
         try (RecordingReader reader = Recordings.open(recording, reading.recordingOptions());
              JaerFilter filter = JaerFilter.start(jar, jaer, java, display, filterClass, reader.sensor())) {
-            Labelled labelled = label(name, reader, filter::process);
-            return new Labelled(name, labelled.estimate(), filter.seconds(), labelled.damage());
+            return labelled(name, (batch, output) -> {
+                boolean more = reader.next(batch);
+                if (more) {
+                    filter.process(batch, output);
+                }
+                return more;
+            }, filter::seconds);
         }
     }
 
-    /** What {@link EventLabeller#process} does. */
-    private interface Labelling {
-        void process(EventBatch batch, FlowOutput output);
-    }
-
-    private static Labelled label(String name, RecordingReader reader, Labelling method) {
+    private static Labelled labelled(String name, LabelledEvents events, DoubleSupplier seconds) {
         EventBatch batch = new EventBatch(BATCH);
         FlowOutput output = new FlowOutput(BATCH);
         FlowEstimate estimate = new FlowEstimate();
+        EventSourceException damage = null;
         try {
-            while (reader.next(batch)) {
-                method.process(batch, output);
+            while (events.next(batch, output)) {
                 estimate.append(output, batch.size());
             }
         } catch (EventSourceException e) {
-            return new Labelled(name, estimate, 0, e);
+            damage = e;
         }
-        return new Labelled(name, estimate, 0, null);
+        return new Labelled(name, estimate, seconds.getAsDouble(), damage);
     }
 
     private Path plugin() {

@@ -123,9 +123,8 @@ final class EvaluateCommand implements Callable<Integer> {
                                                   EvaluationOptions options) throws TruthException, IOException {
         try (TruthCsvReader truthReader = TruthCsvReader.open(truth)) {
             EvaluationRun run;
-            try (RunProgress progress = progress(recording);
-                    LookAheadInTwo ahead = method.inTwo(reader.sensor())) {
-                run = EvaluationRun.of(reader, truthReader, watched(method, ahead, reader, progress), options);
+            try (RunProgress progress = progress(recording); OpenLabelling open = method.open(reader.sensor())) {
+                run = EvaluationRun.of(reader, truthReader, watched(open, reader, progress), options);
             }
             EvaluationReport report = new EvaluationReport(Version.text(), recording.toString(), truth.toString(),
                 method.method(), method.preset(), method.parameters(), run);
@@ -138,9 +137,8 @@ final class EvaluateCommand implements Callable<Integer> {
     private EventSourceException measure(Path recording, RecordingReader reader, MethodChoice method)
             throws IOException {
         SharpnessRun run;
-        try (RunProgress progress = progress(recording);
-                LookAheadInTwo ahead = method.inTwo(reader.sensor())) {
-            run = SharpnessRun.of(reader, watched(method, ahead, reader, progress));
+        try (RunProgress progress = progress(recording); OpenLabelling open = method.open(reader.sensor())) {
+            run = SharpnessRun.of(reader, watched(open, reader, progress));
         }
         SharpnessReport report = new SharpnessReport(Version.text(), recording.toString(), method.method(),
             method.preset(), method.parameters(), run);
@@ -153,10 +151,8 @@ final class EvaluateCommand implements Callable<Integer> {
         return RunProgress.start(spec.commandLine().getErr(), false, recording.toFile().length());
     }
 
-    private static Labelling watched(MethodChoice method, LookAheadInTwo ahead, RecordingReader reader,
-                                     RunProgress progress) {
-        return new WatchedLabelling(ahead != null ? ahead : method.labelling(reader.sensor(), ended -> { }),
-            () -> progress.reached(reader.bytesRead()));
+    private static Labelling watched(OpenLabelling open, RecordingReader reader, RunProgress progress) {
+        return new WatchedLabelling(open.labelling(), () -> progress.reached(reader.bytesRead()));
     }
 
     private EvaluationOptions options() {

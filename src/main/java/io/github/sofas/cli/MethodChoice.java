@@ -38,9 +38,13 @@ record MethodChoice(String method, String preset, Map<String, Object> parameters
         return looksAhead() ? ahead(sensor, ended) : Labelling.atOnce(make(sensor, ended));
     }
 
-    /** Makes it with the look-ahead that was chosen, in two threads; null where none was. */
-    LookAheadInTwo inTwo(SensorSize sensor) {
-        return looksAhead() ? new LookAheadInTwo(ahead(sensor, ended -> { })) : null;
+    /** Makes the method for the labels alone: where it looks ahead, in two threads. */
+    OpenLabelling open(SensorSize sensor) {
+        if (!looksAhead()) {
+            return new OpenLabelling(labelling(sensor, ended -> { }));
+        }
+        LookAheadInTwo inTwo = new LookAheadInTwo(ahead(sensor, ended -> { }));
+        return new OpenLabelling(inTwo, inTwo::close);
     }
 
     /** Makes it with the look-ahead that was chosen. */

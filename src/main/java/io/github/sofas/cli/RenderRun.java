@@ -104,9 +104,9 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
     Outcome run(ResultFiles files, RunProgress progress) throws EventSourceException, IOException {
         long start = System.nanoTime();
         try (RecordingReader reader = Recordings.open(recording, options);
-                StoredLabels labelled = flow == null ? null : StoredLabels.open(flow, recording, reader, BATCH);
+                StoredLabels stored = flow == null ? null : StoredLabels.open(flow, recording, reader, BATCH);
                 Film film = film(files);
-                LookAheadInTwo inTwo = flow == null ? method.inTwo(reader.sensor()) : null) {
+                OpenLabelling ahead = flow == null && method.looksAhead() ? method.open(reader.sensor()) : null) {
             SensorSize sensor = reader.sensor();
             PictureSheet sheet = new PictureSheet(sensor, pictures);
             Queue<GreyFrame> frames = new ArrayDeque<>();
@@ -118,15 +118,16 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     }
                 });
             }
-            LabelledSource ahead = inTwo != null ? new LabelledSource(reader, inTwo) : null;
-            EventLabeller labeller = labelled == null && ahead == null ? method.make(sensor, ended -> { }) : null;
+            LabelledEvents events = stored != null ? stored::next
+                : ahead != null ? new LabelledSource(reader, ahead.labelling())::next
+                : (batch, labels) -> reader.next(batch);
+            EventLabeller labeller = stored == null && ahead == null ? method.make(sensor, ended -> { }) : null;
             Shooting shooting = new Shooting(sheet, film, timing, labeller, frames);
             EventBatch batch = new EventBatch(BATCH);
             FlowOutput labels = new FlowOutput(BATCH);
             EventSourceException damage = null;
             try {
-                while (!shooting.isOver() && (ahead != null ? ahead.next(batch, labels)
-                        : labelled == null ? reader.next(batch) : labelled.next(batch, labels))) {
+                while (!shooting.isOver() && events.next(batch, labels)) {
                     shooting.take(batch, labels);
                     progress.reached(reader.bytesRead());
                 }
