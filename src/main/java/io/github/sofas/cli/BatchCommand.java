@@ -244,7 +244,7 @@ final class BatchCommand implements Callable<Integer> {
         tasks.forEach(task -> inputs.add(task.recording().place()));
         boolean replaces = results.replaces() || results.resumes();
         for (BatchTask task : tasks) {
-            for (Path file : RecordingRun.files(Path.of(""), task.name(), formats())) {
+            for (Path file : new ResultNames(Path.of(""), task.name()).ofRun(formats())) {
                 String place = BatchPlaces.in(folder, file.toString());
                 if (inputs.contains(place)) {
                     throw usage("[" + place + "] is read and cannot be written");

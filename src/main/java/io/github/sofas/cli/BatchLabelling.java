@@ -99,7 +99,7 @@ final class BatchLabelling {
         RunCommand command = RunCommand.parsed(order.options(), recording, work);
         RecordingRun run = command.runs(Map.of(task.name(), recording)).get(0).of(task.recording().shownAs());
         Map<Path, String> targets = targets(run);
-        String summary = targets.get(RecordingRun.summaryFile(work, task.name()));
+        String summary = targets.get(run.names().summary());
         if (order.resumes() && isDone(run, targets, summary, work)) {
             return;
         }
@@ -107,7 +107,7 @@ final class BatchLabelling {
             fetch(place, recording);
         }
         run.run(new RunProgress(new PrintWriter(OutputStream.nullOutputStream()), true, null), command.threads());
-        EarlierRun written = EarlierRun.of(RecordingRun.summaryFile(work, task.name()));
+        EarlierRun written = EarlierRun.of(run.names().summary());
         places.at(summary).delete(summary);
         for (Map.Entry<Path, String> target : targets.entrySet()) {
             places.at(target.getValue()).put(target.getKey(), target.getValue(), order.staging());
@@ -133,8 +133,8 @@ final class BatchLabelling {
             targets.put(file, BatchPlaces.in(order.out(), file.getFileName().toString()));
         }
         if (order.events() != null) {
-            Path rows = RecordingRun.flowFile(run.out(), run.name(), TableFormat.PARQUET);
-            targets.replace(rows, BatchPlaces.in(BatchPlaces.partition(order.events(), run.name()), "events.parquet"));
+            String partition = BatchPlaces.partition(order.events(), run.names().name());
+            targets.replace(run.names().flow(TableFormat.PARQUET), BatchPlaces.in(partition, "events.parquet"));
         }
         return targets;
     }

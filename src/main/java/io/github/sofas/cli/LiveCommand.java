@@ -164,7 +164,7 @@ final class LiveCommand implements Callable<Integer> {
             throw usage("--name must be the name of a file, without folders, but was \"" + name + "\"");
         }
         OutputFiles outputs = new OutputFiles(spec.commandLine());
-        List<Path> files = new ArrayList<>(RecordingRun.files(out, name));
+        List<Path> files = new ArrayList<>(new ResultNames(out, name).ofLive());
         files.add(record);
         outputs.check(Arrays.asList(biases, parameterOptions.config()), files);
         if (!force) {
@@ -194,7 +194,7 @@ final class LiveCommand implements Callable<Integer> {
         Chip sender = Chip.named(chip).orElseThrow(() ->
             usage("--chip must be one of " + Chip.knownNames() + " but was \"" + chip + "\""));
         InetSocketAddress address = address();
-        LiveRun.warmUp(sender.sensor(), method);
+        WarmUp.run(sender.sensor(), method);
         try (LiveSource source = new JaerUdpSource(address, sender)) {
             return run(source, method, () -> { });
         }
@@ -224,7 +224,7 @@ final class LiveCommand implements Callable<Integer> {
         ConfigFile changes = biases == null ? null : readBiases();
         try (UsbTransport usb = new Usb4JavaTransport(); CameraSource source = new Cameras(usb).open(serial)) {
             Biases chosen = biases(source, changes);
-            LiveRun.warmUp(source.sensor(), method);
+            WarmUp.run(source.sensor(), method);
             return run(source, method, () -> source.start(chosen));
         }
     }
@@ -268,11 +268,11 @@ final class LiveCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         LiveStatus status = new LiveStatus(source, err, RunProgress.standardErrorIsTerminal()
             ? spec.usageMessage().width() : Integer.MAX_VALUE, System::nanoTime);
-        LiveRun run = new LiveRun(source, method, out, name, record, force, status);
+        LiveRun run = new LiveRun(source, method, new ResultNames(out, name), record, force, status);
         DiskWatch disk = new DiskWatch(out.toString(), out.toFile()::getUsableSpace, run::bytesWritten,
             System::nanoTime);
         ScheduledExecutorService clock = Executors.newScheduledThreadPool(1);
-        RecordingRun.Outcome outcome;
+        RunOutcome outcome;
         StopSignals signals = StopSignals.handle(source::stop);
         try {
             clock.scheduleAtFixedRate(() -> {

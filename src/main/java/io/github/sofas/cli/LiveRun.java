@@ -2,26 +2,17 @@ package io.github.sofas.cli;
 
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
-import io.github.sofas.event.SensorSize;
 import io.github.sofas.export.FlowCsvWriter;
 import io.github.sofas.export.RecordingSummary;
 import io.github.sofas.export.ResultFiles;
 import io.github.sofas.export.RunSummary;
 import io.github.sofas.export.WithoutFlow;
 import io.github.sofas.flow.EventLabeller;
-import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.live.LiveSource;
 import io.github.sofas.recording.Aedat2Writer;
-import io.github.sofas.simulate.DvsModel;
-import io.github.sofas.simulate.Scene;
-import io.github.sofas.simulate.SimulatedSource;
-import io.github.sofas.simulate.SimulationOptions;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.lang.management.CompilationMXBean;
-import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
@@ -31,7 +22,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
@@ -40,23 +30,13 @@ import java.util.stream.Collectors;
  * source is stopped or fails.
  */
 final class LiveRun {
-    /** After less, some of the engine is not compiled yet, and a first structure takes four times as long to find. */
-    private static final int WARM_UP_ROUNDS = 12;
-    private static final long WARM_UP_EVENTS = 150_000;
-    private static final List<Scene> WARM_UP_SCENES = List.of(Scene.FOUR_BARS, Scene.HEXAGON, Scene.THREE_CROSSING);
-    /** For methods that need far longer for so many. */
-    private static final long WARM_UP_MOST_NS = 4_000_000_000L;
-    private static final int WARM_UP_BATCH = 2048;
     private static final int READ_BATCH = 2048;
-    private static final long COMPILER_PAUSE_NS = 150_000_000;
-    private static final int COMPILER_LOOKS = 10;
     /** More than segments and summary take. */
     private static final int RESERVE_BYTES = 1 << 20;
 
     private final LiveSource source;
     private final MethodChoice method;
-    private final Path out;
-    private final String name;
+    private final ResultNames names;
     private final Path record;
     private final boolean replaces;
     private final LiveStatus status;
@@ -84,70 +64,22 @@ final class LiveRun {
      * Makes a run.
      *
      * @param source not started
-     * @param out folder of the results
-     * @param name of the results, without their endings
+     * @param names of the results
      * @param record where the events are recorded; null for nowhere
      * @param replaces whether files that exist are replaced
      * @param status is told how it goes
      */
-    LiveRun(LiveSource source, MethodChoice method, Path out, String name, Path record, boolean replaces,
+    LiveRun(LiveSource source, MethodChoice method, ResultNames names, Path record, boolean replaces,
             LiveStatus status) {
         this.source = source;
         this.method = method;
-        this.out = out;
-        this.name = name;
+        this.names = names;
         this.record = record;
         this.replaces = replaces;
         this.status = status;
         labeller = method.looksAhead() ? null : method.make(source.sensor(), segments::add);
         ahead = method.looksAhead() ? method.labelling(source.sensor(), segments::add) : null;
         withoutFlow = new WithoutFlow(source.sensor());
-    }
-
-    /**
-     * Labels simulated scenes with as many events as a camera has at its busiest, and forgets them. A Java that has
-     * just started is ten times slower, and a camera does not wait until it has compiled what it runs. Each scene
-     * begins with an engine that has seen nothing, as the camera's does: what was compiled for structures that are
-     * followed would be thrown away at the first events of a stream.
-     *
-     * @throws IOException never: nothing is written
-     */
-    static void warmUp(SensorSize sensor, MethodChoice method) throws IOException {
-        long startNs = System.nanoTime();
-        SimulationOptions options = SimulationOptions.defaults().withSensor(sensor).withSpeedPxPerS(300)
-            .withDvs(DvsModel.davis().withThresholds(0.05, 0.05));
-        EventBatch batch = new EventBatch(WARM_UP_BATCH);
-        FlowOutput flow = new FlowOutput(WARM_UP_BATCH);
-        for (int round = 0; round < WARM_UP_ROUNDS && System.nanoTime() - startNs < WARM_UP_MOST_NS; round++) {
-            EventLabeller other = method.make(sensor, ended -> { });
-            long labelled = 0;
-            Scene shown = WARM_UP_SCENES.get(round % WARM_UP_SCENES.size());
-            try (SimulatedSource scene = new SimulatedSource(shown, options);
-                    FlowCsvWriter nowhere = new FlowCsvWriter(OutputStream.nullOutputStream())) {
-                while (labelled < WARM_UP_EVENTS && System.nanoTime() - startNs < WARM_UP_MOST_NS
-                        && scene.next(batch)) {
-                    other.process(batch, flow);
-                    nowhere.write(batch, flow);
-                    labelled += batch.size();
-                }
-            }
-        }
-        awaitCompiler();
-        // Now, not under the first events; from here on next to nothing is allocated.
-        System.gc();
-    }
-
-    /** Waits until nothing more is compiled, for a while. */
-    private static void awaitCompiler() {
-        CompilationMXBean compiler = ManagementFactory.getCompilationMXBean();
-        if (compiler == null || !compiler.isCompilationTimeMonitoringSupported()) {
-            return;
-        }
-        long before = -1;
-        for (int i = 0; i < COMPILER_LOOKS && before != compiler.getTotalCompilationTime(); i++) {
-            before = compiler.getTotalCompilationTime();
-            LockSupport.parkNanos(COMPILER_PAUSE_NS);
-        }
     }
 
     /**
@@ -158,8 +90,8 @@ final class LiveRun {
      * @throws IOException where the results cannot be begun, or not be given their names; the message then says under
      *     which names they are
      */
-    RecordingRun.Outcome run(Start start) throws EventSourceException, IOException {
-        Path flow = RecordingRun.flowFile(out, name);
+    RunOutcome run(Start start) throws EventSourceException, IOException {
+        Path flow = names.flow();
         try (ResultFiles results = ResultFiles.ofCapture(replaces)) {
             List<LiveSink> sinks = new ArrayList<>();
             EventSourceException failure;
@@ -190,7 +122,7 @@ final class LiveRun {
             RunSummary summary = summary(failure, unwritten, (System.nanoTime() - startNs) / 1e9);
             writeSegmentsAndSummary(results, summary, unwritten);
             commit(results);
-            return new RecordingRun.Outcome(summary, failure == null && !unwritten.isEmpty()
+            return new RunOutcome(summary, failure == null && !unwritten.isEmpty()
                 ? new EventSourceException(unwritten.get(unwritten.size() - 1)) : failure, null);
         }
     }
@@ -214,7 +146,7 @@ final class LiveRun {
      * while it is held where the system allows that, so that a program that is killed leaves nothing of it.
      */
     private FileChannel reserve() throws IOException {
-        Path file = out.resolve("." + name + "." + ProcessHandle.current().pid() + ".reserve");
+        Path file = names.out().resolve("." + names.name() + "." + ProcessHandle.current().pid() + ".reserve");
         FileChannel reserve = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
             StandardOpenOption.DELETE_ON_CLOSE);
         try {
@@ -229,11 +161,11 @@ final class LiveRun {
 
     private void writeSegmentsAndSummary(ResultFiles results, RunSummary summary, List<String> unwritten) {
         try {
-            RecordingRun.writeSegmentsAndSummary(results, out, name, summary);
+            Summaries.write(summary, results, names);
         } catch (IOException e) {
-            results.forget(RecordingRun.segmentsFile(out, name));
-            results.forget(RecordingRun.summaryFile(out, name));
-            unwritten.add("[" + name + "] segments and summary cannot be written: " + FileFailure.text(e));
+            results.forget(names.segments());
+            results.forget(names.summary());
+            unwritten.add("[" + names.name() + "] segments and summary cannot be written: " + FileFailure.text(e));
         }
     }
 
@@ -317,7 +249,7 @@ final class LiveRun {
         }
         lastTimeUs = batch.timeUs[batch.size() - 1];
         events += batch.size();
-        int withFlow = RecordingRun.countWithFlow(batch, labelled.flow);
+        int withFlow = RunSteps.countWithFlow(batch, labelled.flow);
         eventsWithFlow += withFlow;
         withoutFlow.add(batch, labelled.flow);
         status.labelled(batch.size(), withFlow, latencyNs, living);
@@ -338,6 +270,6 @@ final class LiveRun {
         RunSummary.Seconds seconds = new RunSummary.Seconds(wallS, source.decodeS(), engineNs / 1e9, outputNs / 1e9);
         return new RunSummary(Version.text(), "", read, method.method(), method.preset(), method.parameters(),
             eventsWithFlow, withoutFlow.likelyReason(), segments, source.dropped(), seconds,
-            RecordingRun.peakHeapBytes());
+            Summaries.peakHeapBytes());
     }
 }

@@ -250,7 +250,7 @@ final class RenderCommand implements Callable<Integer> {
         if (!force) {
             outputs.refuseExisting(List.of(film));
         }
-        Path flow = results == null ? null : RecordingRun.flowFile(results, name);
+        Path flow = results == null ? null : new ResultNames(results, name).flow();
         if (flow != null && !Files.isRegularFile(flow)) {
             throw usage("[" + flow + "] no such file; 'sofas run' writes it");
         }

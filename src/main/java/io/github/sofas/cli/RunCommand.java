@@ -199,8 +199,8 @@ final class RunCommand implements Callable<Integer> {
         String reported = report ? typed() : null;
         List<RecordingRun> runs = new ArrayList<>();
         named.forEach((name, recording) ->
-            runs.add(new RecordingRun(recording, recording.toString(), options, method, out, name, reported,
-                results.replaces(), results.formats())));
+            runs.add(new RecordingRun(recording, recording.toString(), options, method, new ResultNames(out, name),
+                reported, results.replaces(), results.formats())));
         return runs;
     }
 
@@ -211,13 +211,13 @@ final class RunCommand implements Callable<Integer> {
         for (RecordingRun run : runs) {
             String outdated = run.whyNotDone();
             if (outdated == null) {
-                addDoubt(run, EarlierRun.of(RecordingRun.summaryFile(out, run.name())).doubtfulShare());
+                addDoubt(run, EarlierRun.of(run.names().summary()).doubtfulShare());
                 if (!quiet) {
-                    err.println(Printable.of(run.name() + ": results are complete, skipped"));
+                    err.println(Printable.of(run.names().name() + ": results are complete, skipped"));
                 }
             } else {
                 if (!run.existing().isEmpty() && !quiet) {
-                    err.println(Printable.of(run.name() + ": run again, because " + outdated));
+                    err.println(Printable.of(run.names().name() + ": run again, because " + outdated));
                 }
                 rest.add(run.replacing());
             }
@@ -244,12 +244,12 @@ final class RunCommand implements Callable<Integer> {
     /** Runs one recording and says what came of it. */
     private boolean succeeds(RecordingRun run, RunProgress progress) throws Exception {
         ReadingOptions.sayIfWaiting(run.recording(), spec.commandLine().getErr());
-        RecordingRun.Outcome outcome = run.run(progress, threads);
+        RunOutcome outcome = run.run(progress, threads);
         // Faults end with the damage where there is one.
         outcome.summary().recording().notes().forEach(progress::say);
         outcome.summary().recording().faults().forEach(progress::say);
         addDoubt(run, outcome.summary().recording().doubtfulShare());
-        progress.finished(run.name(), outcome.summary());
+        progress.finished(run.names().name(), outcome.summary());
         if (outcome.reportFailure() != null) {
             sayNoReport(run, outcome.reportFailure(), progress);
         }

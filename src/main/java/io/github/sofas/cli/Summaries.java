@@ -2,14 +2,22 @@ package io.github.sofas.cli;
 
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.export.RecordingSummary;
+import io.github.sofas.export.ResultFiles;
+import io.github.sofas.export.RunSummary;
+import io.github.sofas.export.SegmentsCsv;
 import io.github.sofas.recording.RecordingCounts;
 import io.github.sofas.recording.RecordingReader;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a reader met, in the words of the results. */
+/** How a run is summed up: what a reader met, in the words of the results, and the files that are written last. */
 final class Summaries {
     private Summaries() {
     }
@@ -61,5 +69,31 @@ final class Summaries {
         dropped.put("outside_sensor", counts.outsideSensor());
         dropped.put("damaged_times", counts.damagedTimes());
         return dropped;
+    }
+
+    /** The sum over the parts of the heap, so at least the true peak: the parts need not have peaked together. */
+    static long peakHeapBytes() {
+        long peak = 0;
+        for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
+            if (pool.getType() == MemoryType.HEAP) {
+                peak += pool.getPeakUsage().getUsed();
+            }
+        }
+        return peak;
+    }
+
+    /**
+     * Writes what is known only at the end; the summary last, whose presence shows that the others are complete.
+     *
+     * @throws IOException where it cannot be written
+     */
+    static void write(RunSummary summary, ResultFiles results, ResultNames names) throws IOException {
+        try (OutputStream file = results.create(names.segments())) {
+            SegmentsCsv.write(file, summary.segments());
+        }
+        Map<String, Long> bytes = results.bytes();
+        try (OutputStream file = results.create(names.summary())) {
+            summary.write(file, bytes);
+        }
     }
 }

@@ -105,18 +105,18 @@ public class LiveCommandTest {
         }
     }
 
-    private RecordingRun.Outcome label(FakeTransport camera, boolean unplugged, Path recording) throws Exception {
+    private RunOutcome label(FakeTransport camera, boolean unplugged, Path recording) throws Exception {
         SofasParameters parameters = SofasParameters.defaults();
         return label(camera, unplugged, recording, new MethodChoice("sofas", "default", Map.of(),
             (sensor, ended) -> new Sofas(sensor, parameters, ended)));
     }
 
-    private RecordingRun.Outcome label(FakeTransport camera, boolean unplugged, Path recording, MethodChoice method)
+    private RunOutcome label(FakeTransport camera, boolean unplugged, Path recording, MethodChoice method)
             throws Exception {
         try (CameraSource source = new Cameras(camera).open(null)) {
             LiveStatus status = new LiveStatus(source, new PrintWriter(new StringWriter()), 80,
                 System::nanoTime);
-            return new LiveRun(source, method, out, "live", recording, false, status).run(() -> {
+            return new LiveRun(source, method, new ResultNames(out, "live"), recording, false, status).run(() -> {
                 source.start(Biases.defaults(source.model()));
                 // The camera sends while the run labels, never more than the queue holds.
                 new Thread(() -> send(camera, source, unplugged)).start();
@@ -157,7 +157,7 @@ public class LiveCommandTest {
     @Test
     public void givesTheResultsOfARunOverItsRecording() throws Exception {
         Path recording = folder.getRoot().toPath().resolve("recorded.aedat");
-        RecordingRun.Outcome outcome = label(FakeTransport.davis240c(), false, recording);
+        RunOutcome outcome = label(FakeTransport.davis240c(), false, recording);
         assertEquals(25_074, outcome.summary().recording().events());
         assertTrue("both movers are found", outcome.summary().eventsWithFlow() > 15_000);
         assertSameAsAFileRun(recording, "--causal");
@@ -166,7 +166,7 @@ public class LiveCommandTest {
     @Test
     public void givesTheResultsOfARunWhereTheCameraIsUnplugged() throws Exception {
         Path recording = folder.getRoot().toPath().resolve("recorded.aedat");
-        RecordingRun.Outcome outcome = label(FakeTransport.davis240c(), true, recording);
+        RunOutcome outcome = label(FakeTransport.davis240c(), true, recording);
         assertEquals("[DAVIS240C 00000042] the camera was unplugged", outcome.damage().getMessage());
         assertEquals(25_074, outcome.summary().recording().events());
         assertSameAsAFileRun(recording, "--causal");
@@ -179,7 +179,7 @@ public class LiveCommandTest {
         MethodChoice delayed = new MethodChoice("sofas", "default", Map.of(),
             (sensor, ended) -> new Sofas(sensor, parameters, ended),
             (sensor, ended) -> new SmoothedSofas(sensor, parameters, 100_000, ended));
-        RecordingRun.Outcome outcome = label(FakeTransport.davis240c(), true, recording, delayed);
+        RunOutcome outcome = label(FakeTransport.davis240c(), true, recording, delayed);
         assertEquals(25_074, outcome.summary().recording().events());
         assertSameAsAFileRun(recording, "--look-ahead", "100");
     }

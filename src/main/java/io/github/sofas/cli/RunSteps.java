@@ -1,0 +1,188 @@
+package io.github.sofas.cli;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.EventSourceException;
+import io.github.sofas.export.RunSummary;
+import io.github.sofas.export.WithoutFlow;
+import io.github.sofas.flow.EventLabeller;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SmoothedSofas;
+import io.github.sofas.recording.RecordingReader;
+import io.github.sofas.report.ReportCollector;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** What is done with each batch of a recording, and how long it took; each step has its own figures. */
+final class RunSteps implements BatchPipeline.Steps {
+    private final RecordingReader reader;
+    /** One of the two; what looks ahead gives events back later than they are read. */
+    private final EventLabeller labeller;
+    private final SmoothedSofas ahead;
+    private final RunTables tables;
+    private final ReportCollector report;
+    private final RunProgress progress;
+    private final List<Segment> ended = new ArrayList<>();
+    private final WithoutFlow withoutFlow;
+    private EventSourceException damage;
+    private Exception reportFailure;
+    private long decodeNs;
+    private long engineNs;
+    private long lookAheadNs;
+    private long outputNs;
+    private long eventsWithFlow;
+    private long bytesShown;
+
+    /**
+     * Makes the steps of one run.
+     *
+     * @param report takes the labelled events, too; null where there is to be none
+     */
+    RunSteps(RecordingReader reader, MethodChoice method, RunTables tables, ReportCollector report,
+             RunProgress progress) {
+        this.reader = reader;
+        labeller = method.looksAhead() ? null : method.make(reader.sensor(), ended::add);
+        ahead = method.looksAhead() ? method.ahead(reader.sensor(), ended::add) : null;
+        this.tables = tables;
+        this.report = report;
+        this.progress = progress;
+        withoutFlow = new WithoutFlow(reader.sensor());
+    }
+
+    @Override
+    public boolean read(BatchPipeline.Slot slot) {
+        long start = System.nanoTime();
+        boolean more = false;
+        try {
+            more = reader.next(slot.events);
+        } catch (EventSourceException e) {
+            damage = e;
+        }
+        slot.bytesRead = reader.bytesRead();
+        decodeNs += System.nanoTime() - start;
+        return more;
+    }
+
+    @Override
+    public void helpedBy(Consumer<Runnable> helper) {
+        if (ahead == null) {
+            labeller.helpedBy(helper);
+        } else {
+            ahead.helpedBy(helper);
+        }
+    }
+
+    @Override
+    public void label(BatchPipeline.Slot slot) {
+        long start = System.nanoTime();
+        if (ahead == null) {
+            labeller.process(slot.events, slot.flow);
+        } else {
+            ahead.label(slot.events, slot.causal);
+        }
+        engineNs += System.nanoTime() - start;
+    }
+
+    @Override
+    public void write(BatchPipeline.Slot slot) throws IOException {
+        if (ahead == null) {
+            writeRows(slot);
+        } else {
+            lookAhead(() -> ahead.add(slot.causal), slot);
+        }
+    }
+
+    @Override
+    public void finish(BatchPipeline.Slot slot) throws IOException {
+        if (ahead != null) {
+            slot.bytesRead = bytesShown;
+            lookAhead(ahead::finish, slot);
+        }
+    }
+
+    /** Writes the events that can be labelled after a step, in place of those that were read. */
+    private void lookAhead(Runnable step, BatchPipeline.Slot slot) throws IOException {
+        long start = System.nanoTime();
+        step.run();
+        boolean more = ahead.next(slot.events, slot.flow);
+        lookAheadNs += System.nanoTime() - start;
+        while (more) {
+            writeRows(slot);
+            start = System.nanoTime();
+            more = ahead.next(slot.events, slot.flow);
+            lookAheadNs += System.nanoTime() - start;
+        }
+    }
+
+    private void writeRows(BatchPipeline.Slot slot) throws IOException {
+        long start = System.nanoTime();
+        tables.write(slot.events, slot.flow);
+        addToReport(slot);
+        outputNs += System.nanoTime() - start;
+        withoutFlow.add(slot.events, slot.flow);
+        int withFlow = countWithFlow(slot.events, slot.flow);
+        eventsWithFlow += withFlow;
+        progress.add(slot.bytesRead - bytesShown, slot.events.size(), withFlow);
+        bytesShown = slot.bytesRead;
+    }
+
+    private void addToReport(BatchPipeline.Slot slot) {
+        if (report == null || reportFailure != null) {
+            return;
+        }
+        try {
+            report.add(slot.events, slot.flow);
+        } catch (RuntimeException e) {
+            reportFailure = e;
+        }
+    }
+
+    /** Events of a labelled batch that got flow. */
+    static int countWithFlow(EventBatch batch, FlowOutput flow) {
+        int count = 0;
+        for (int i = 0; i < batch.size(); i++) {
+            count += flow.segment[i] != 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Why the recording could not be read to its end; null where it was. */
+    EventSourceException damage() {
+        return damage;
+    }
+
+    /** Why the report did not take all events; null where it did, or there is none. */
+    Exception reportFailure() {
+        return reportFailure;
+    }
+
+    /** All segments: those that ended, then those that live. */
+    List<Segment> segments() {
+        List<Segment> all = new ArrayList<>(ended);
+        all.addAll(ahead == null ? labeller.segments() : ahead.segments());
+        return all;
+    }
+
+    /** How many events got flow. */
+    long eventsWithFlow() {
+        return eventsWithFlow;
+    }
+
+    /** Why most events got none; empty where they did. */
+    String likelyReason() {
+        return withoutFlow.likelyReason();
+    }
+
+    /**
+     * How long each step took.
+     *
+     * @param wallNs the whole run until now
+     * @param openNs opening the recording
+     */
+    RunSummary.Seconds seconds(long wallNs, long openNs) {
+        return new RunSummary.Seconds(wallNs / 1e9, (openNs + decodeNs) / 1e9, (engineNs + lookAheadNs) / 1e9,
+            outputNs / 1e9);
+    }
+}
