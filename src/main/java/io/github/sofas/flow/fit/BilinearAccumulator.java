@@ -15,6 +15,29 @@ final class BilinearAccumulator {
     /** Positions are in sixteenths of a cell. */
     static final int SUB = 16;
     static final int SUB_BITS = 4;
+    /** Bits below the cell: an event that has no vote, one that is OFF, its place in the cell. */
+    static final int KEY_BITS = 2 * SUB_BITS + 2;
+    static final int KEYS = 1 << KEY_BITS;
+    static final int NONE = 1 << 2 * SUB_BITS + 1;
+    static final int OFF = 1 << 2 * SUB_BITS;
+    // votes for the four cells around a place, 0 where there are none
+    static final int[] VOTE_00 = new int[KEYS];
+    static final int[] VOTE_10 = new int[KEYS];
+    static final int[] VOTE_01 = new int[KEYS];
+    static final int[] VOTE_11 = new int[KEYS];
+
+    static {
+        for (int k = 0; k < NONE; k++) {
+            int fx = k % SUB;
+            int fy = k / SUB % SUB;
+            int one = (k & OFF) == 0 ? 1 : -1;
+            VOTE_00[k] = one * (SUB - fx) * (SUB - fy);
+            VOTE_10[k] = one * fx * (SUB - fy);
+            VOTE_01[k] = one * (SUB - fx) * fy;
+            VOTE_11[k] = one * fx * fy;
+        }
+    }
+
     /** Most cells around the events, for their shifts; twice the greatest distance of projections and a step. */
     private static final int MOST_BORDER = 20;
     /** Shifts are worked out in parts of a position of 2^-this. */
@@ -33,11 +56,12 @@ final class BilinearAccumulator {
     // events: position, and vote
     private final int[] placeX;
     private final int[] placeY;
-    private final byte[] vote;
+    /** 0 of an ON event, {@link #OFF} of an OFF event. */
+    private final int[] sign;
     private int size;
     private long votes;
-    // where they are shifted to
-    private final int[] atX;
+    // where they are shifted to; then cell, sign and place in the cell instead of the first
+    private final int[] at;
     private final int[] atY;
 
     private final int width;
@@ -69,9 +93,9 @@ final class BilinearAccumulator {
         scale = (float) (SUB / cellPx);
         placeX = new int[capacity];
         placeY = new int[capacity];
-        atX = new int[capacity];
+        at = new int[capacity];
         atY = new int[capacity];
-        vote = new byte[capacity];
+        sign = new int[capacity];
         width = side(sensorWidth, cellPx);
         height = side(sensorHeight, cellPx);
         f = new int[width * height];
@@ -111,7 +135,7 @@ final class BilinearAccumulator {
         int i = size++;
         placeX[i] = (int) (x * scale + 32768.5f) - 32768;
         placeY[i] = (int) (y * scale + 32768.5f) - 32768;
-        vote[i] = (byte) polarity;
+        sign[i] = polarity > 0 ? 0 : OFF;
     }
 
     /** Column of an event in px, to a part of a cell. */
@@ -174,11 +198,12 @@ final class BilinearAccumulator {
 
     /** The metric on a grid shifted by some parts of a cell. */
     private double metric(int[] alongX, int partsX, int[] alongY, int partsY, int offset) {
-        shift(placeX, alongX, partsX, offset - originX, atX);
+        shift(placeX, alongX, partsX, offset - originX, at);
         shift(placeY, alongY, partsY, offset - originY, atY);
         votes += size;
+        locate();
         boolean isDense = columns * rows <= Math.min(DenseVotes.MOST_CELLS, DENSE_CELLS * size);
-        long met = isDense ? dense.vote(atX, atY, vote, size, columns, rows) : vote();
+        long met = isDense ? dense.vote(at, size, columns, rows) : vote();
         return met * (2.0 / (SUB * SUB * SUB * SUB));
     }
 
@@ -190,31 +215,40 @@ final class BilinearAccumulator {
         }
     }
 
-    private long vote() {
-        int[] x = atX;
+    /** Finds the cells of the events; apart, too, for the same reason. */
+    private void locate() {
+        int[] x = at;
         int[] y = atY;
-        int[] grid = f;
+        int[] signs = sign;
         int w = columns;
-        int limitX = (columns - 1) * SUB;
-        int limitY = (rows - 1) * SUB;
-        Arrays.fill(grid, 0, columns * rows, 0);
-        long sum = 0;
+        int lastX = (columns - 1) * SUB - 1;
+        int lastY = (rows - 1) * SUB - 1;
         int n = size;
         for (int i = 0; i < n; i++) {
             int px = x[i];
             int py = y[i];
-            // an event that leaves the grid meets no other
-            if ((px | py) < 0 || px >= limitX || py >= limitY) {
-                continue;
-            }
-            int c = (py >> SUB_BITS) * w + (px >> SUB_BITS);
-            int fx = px & SUB - 1;
-            int below = (py & SUB - 1) * vote[i];
-            int above = SUB * vote[i] - below;
-            int w11 = fx * below;
-            int w10 = fx * above;
-            int w01 = SUB * below - w11;
-            int w00 = SUB * above - w10;
+            int key = (py >> SUB_BITS) * w + (px >> SUB_BITS) << KEY_BITS | signs[i]
+                | (py & SUB - 1) << SUB_BITS | px & SUB - 1;
+            // an event that leaves the grid meets no other: all bits where any of the four is negative
+            int off = (px | py | lastX - px | lastY - py) >> 31;
+            x[i] = key & ~off | NONE & off;
+        }
+    }
+
+    private long vote() {
+        int[] keys = at;
+        int[] grid = f;
+        int w = columns;
+        Arrays.fill(grid, 0, columns * rows, 0);
+        long sum = 0;
+        int n = size;
+        for (int i = 0; i < n; i++) {
+            int c = keys[i] >>> KEY_BITS;
+            int k = keys[i] & KEYS - 1;
+            int w00 = VOTE_00[k];
+            int w10 = VOTE_10[k];
+            int w01 = VOTE_01[k];
+            int w11 = VOTE_11[k];
             int a = grid[c];
             int b = grid[c + 1];
             int d = grid[c + w];
@@ -242,7 +276,7 @@ final class BilinearAccumulator {
         Arrays.fill(f, 0, w * rows, 0);
         Arrays.fill(others, 0, w * rows, 0);
         for (int i = 0; i < size; i++) {
-            draw((i & 1) == 0 ? f : others, placeX[i] - originX, placeY[i] - originY, vote[i]);
+            draw((i & 1) == 0 ? f : others, placeX[i] - originX, placeY[i] - originY, sign[i] == 0 ? 1 : -1);
         }
         votes += size;
         double perCell = SUB / (scale * radius);

@@ -6,7 +6,7 @@ package io.github.sofas.flow.fit;
  * what a unit of it shifts the event by.
  */
 final class Metric {
-    private static final int EVENT_BYTES = 16 * Integer.BYTES + Byte.BYTES;
+    private static final int EVENT_BYTES = 18 * Integer.BYTES;
 
     /** Events, projected along the motion. */
     private final BilinearAccumulator grid;

@@ -29,7 +29,16 @@ public class DenseVotesTest {
     }
 
     private static long dense(DenseVotes votes, int[] x, int[] y, byte[] vote) {
-        return votes.vote(x, y, vote, x.length, COLUMNS, ROWS);
+        int[] at = new int[x.length];
+        for (int i = 0; i < x.length; i++) {
+            boolean isInside = x[i] >= 0 && y[i] >= 0 && x[i] < (COLUMNS - 1) * SUB && y[i] < (ROWS - 1) * SUB;
+            int cell = y[i] / SUB * COLUMNS + x[i] / SUB;
+            int place = y[i] % SUB * SUB + x[i] % SUB;
+            at[i] = isInside
+                ? cell << BilinearAccumulator.KEY_BITS | (vote[i] > 0 ? 0 : BilinearAccumulator.OFF) | place
+                : BilinearAccumulator.NONE;
+        }
+        return votes.vote(at, x.length, COLUMNS, ROWS);
     }
 
     @Test
