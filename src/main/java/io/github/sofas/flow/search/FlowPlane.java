@@ -25,6 +25,9 @@ public final class FlowPlane {
      */
     private static final int MOST_EVENTS = FlowPlaneEvents.MOST_HELD - 2 * BLOCK;
 
+    /** Events that a ring lets go before their votes are taken out at the latest; they are held in the meantime. */
+    private static final int MOST_GONE = BLOCK / 2;
+
     private final SensorSize sensor;
     private final Projections projections;
     private final int n;
@@ -33,13 +36,16 @@ public final class FlowPlane {
     private final SearchedTiles searched;
     private final short[][] f;
     private final long[] metric;
-    /** Events held by the projections of a speed. */
+    /** Events whose votes the projections of a speed have. */
     private final int[] count;
     /** Number of the oldest event held by the projections of a speed. */
     private final int[] oldest;
     /** Number after the newest event held by the projections of a speed, and when it was taken in. */
     private final int[] end;
     private final long[] settledUs;
+    /** Numbers of the oldest event whose vote the projections of a speed have, and after the newest. */
+    private final int[] votedFrom;
+    private final int[] votedTo;
 
     /** Number after the newest event that the last settling saw. */
     private int settled;
@@ -68,6 +74,8 @@ public final class FlowPlane {
         oldest = new int[n];
         end = new int[n];
         settledUs = new long[n];
+        votedFrom = new int[n];
+        votedTo = new int[n];
     }
 
     /** The most bytes that its arrays take. */
@@ -101,49 +109,69 @@ public final class FlowPlane {
 
     /**
      * Lets each ring take in the events that came, and those go that it has held long enough; a slow ring not at each
-     * block, because few events at a time are dear: each accumulator has to come into the cache first.
+     * block, because few events at a time are dear: each accumulator has to come into the cache first. For the same
+     * reason they vote only when they are a block, or asked for: in between many come and go.
      */
     public void settle(long nowUs) {
         int head = events.head();
         total += head - settled;
         settled = head;
         int first = head;
+        int firstVoted = head;
         for (int i = 0; i < n; i++) {
             if (head - end[i] >= BLOCK || (nowUs - settledUs[i]) * WINDOW_PARTS >= projections.windowUs(i)) {
                 settledUs[i] = nowUs;
-                long limitUs = nowUs - projections.windowUs(i);
-                do {
-                    takeIn(i, head);
-                    release(i, limitUs);
-                    vote(i);
-                } while (end[i] != head || oldest[i] != head && isOver(oldest[i], limitUs));
+                end[i] = head;
+                release(i, nowUs - projections.windowUs(i));
             }
             first = oldest[i] - first < 0 ? oldest[i] : first;
+            firstVoted = votedFrom[i] - firstVoted < 0 ? votedFrom[i] : firstVoted;
         }
-        events.letGo(first);
+        events.letGo(first, firstVoted);
     }
 
-    /** Gathers some of the events that a ring has not taken in yet. */
-    private void takeIn(int ring, int head) {
-        int to = end[ring] + Math.min(BLOCK, head - end[ring]);
-        for (int e = end[ring]; e != to; e++) {
-            gather(ring, e, coming);
-        }
-        end[ring] = to;
-    }
-
-    /** Gathers some of the events that a ring has held long enough. */
+    /** Lets the events go that a ring has held long enough. */
     private void release(int ring, long limitUs) {
         int e = oldest[ring];
-        int to = e + Math.min(BLOCK, end[ring] - e);
-        while (e != to && isOver(e, limitUs)) {
-            gather(ring, e++, leaving);
+        while (e != end[ring] && isOver(e, limitUs)) {
+            e++;
         }
         oldest[ring] = e;
+        if (votedTo[ring] - e <= 0 && count[ring] == 0) {
+            // they have come and gone
+            votedFrom[ring] = e;
+            votedTo[ring] = e;
+        }
+        if (end[ring] - votedTo[ring] >= BLOCK || e - votedFrom[ring] >= MOST_GONE) {
+            catchUp(ring);
+        }
     }
 
     private boolean isOver(int event, long limitUs) {
         return events.timeUs(event) < limitUs || events.head() - event > MOST_EVENTS;
+    }
+
+    /** Lets a ring's projections have the votes of all events that it holds, and of no others. */
+    void catchUp(int ring) {
+        int from = oldest[ring];
+        int to = end[ring];
+        if (votedFrom[ring] == from && votedTo[ring] == to) {
+            return;
+        }
+        int leave = votedFrom[ring];
+        int left = votedTo[ring] - from < 0 ? votedTo[ring] : from;
+        int come = votedTo[ring] - from < 0 ? from : votedTo[ring];
+        do {
+            for (int room = BLOCK; leave != left && room > 0; room--) {
+                gather(ring, leave++, leaving);
+            }
+            for (int room = BLOCK; come != to && room > 0; room--) {
+                gather(ring, come++, coming);
+            }
+            vote(ring);
+        } while (leave != left || come != to);
+        votedFrom[ring] = from;
+        votedTo[ring] = to;
     }
 
     /** Adds an event to a block unless it was taken out of the ring. */
@@ -178,7 +206,7 @@ public final class FlowPlane {
             if (!events.holds(e)) {
                 continue;
             }
-            if (e - oldest[ring] >= 0 && e - end[ring] < 0) {
+            if (e - votedFrom[ring] >= 0 && e - votedTo[ring] < 0) {
                 gather(ring, e, leaving);
             }
             events.takeOut(ring, e);
@@ -209,17 +237,19 @@ public final class FlowPlane {
         return recent;
     }
 
-    /** Accumulator of a projection, read only. */
+    /** Accumulator of a projection, read only, as it was when its ring caught up last. */
     short[] accumulator(int k) {
         return f[k];
     }
 
+    /** The same, its metric. */
     long metric(int k) {
         return metric[k];
     }
 
-    /** Events held by the projections of a speed. */
+    /** Events held by the projections of a speed, which catch up. */
     int count(int ring) {
+        catchUp(ring);
         return count[ring];
     }
 
@@ -252,7 +282,8 @@ public final class FlowPlane {
     public float[] metricsPerEvent() {
         float[] perEvent = new float[n * n];
         for (int k = 0; k < perEvent.length; k++) {
-            perEvent[k] = count[k / n] == 0 ? 0 : (float) metric[k] / count[k / n];
+            int held = count(k / n);
+            perEvent[k] = held == 0 ? 0 : (float) metric[k] / held;
         }
         return perEvent;
     }
@@ -266,6 +297,8 @@ public final class FlowPlane {
         Arrays.fill(count, 0);
         Arrays.fill(oldest, 0);
         Arrays.fill(end, 0);
+        Arrays.fill(votedFrom, 0);
+        Arrays.fill(votedTo, 0);
         events.clear();
         recent.clear();
         searched.reset();

@@ -21,6 +21,8 @@ final class FlowPlaneEvents implements NumberedEvents {
     private int mask = timeUs.length - 1;
     private int head;
     private int first;
+    /** Number of the oldest event that there is yet, before the first that is held: its votes are to be taken out. */
+    private int kept;
 
     /** The most bytes that its arrays take. */
     static long mostBytes() {
@@ -29,7 +31,7 @@ final class FlowPlaneEvents implements NumberedEvents {
 
     /** Adds an event; no more than {@link #MOST_HELD} may be held. */
     void add(int eventX, int eventY, long eventUs, int polarity) {
-        if (head - first > mask) {
+        if (head - kept > mask) {
             grow();
         }
         int i = head++ & mask;
@@ -49,7 +51,7 @@ final class FlowPlaneEvents implements NumberedEvents {
         byte[] newSign = new byte[capacity];
         int[] newTakenOut = new int[capacity];
         int[] newRefused = new int[capacity];
-        for (int i = first; i != head; i++) {
+        for (int i = kept; i != head; i++) {
             int from = i & mask;
             int to = i & capacity - 1;
             newUs[to] = timeUs[from];
@@ -78,9 +80,10 @@ final class FlowPlaneEvents implements NumberedEvents {
         return first;
     }
 
-    /** Lets all events before a number go. */
-    void letGo(int before) {
+    /** Lets all events before a number go, of which those before another are not needed any more. */
+    void letGo(int before, int beforeNeeded) {
         first = before;
+        kept = beforeNeeded;
     }
 
     /** Whether an event that came is held yet. */
@@ -133,5 +136,6 @@ final class FlowPlaneEvents implements NumberedEvents {
     void clear() {
         head = 0;
         first = 0;
+        kept = 0;
     }
 }

@@ -56,6 +56,7 @@ final class Pieces {
      * @return how many there are
      */
     int find(int k, double thresholdSd) {
+        plane.catchUp(k / n);
         int pieces = connect(plane.accumulator(k), plane.metric(k), thresholdSd);
         sort(k, pieces);
         for (int i = 0; i < filled; i++) {

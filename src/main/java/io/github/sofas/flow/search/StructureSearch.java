@@ -184,6 +184,10 @@ public final class StructureSearch {
         int best = -1;
         double most = 0;
         for (int i = 0; i < n; i++) {
+            if (plane.end(i) - plane.oldest(i) < p.minEvents()) {
+                // its votes may wait
+                continue;
+            }
             int held = plane.count(i);
             if (held < p.minEvents()) {
                 continue;

@@ -31,7 +31,7 @@ public class FlowPlaneEventsTest {
     public void eventsAreKeptWhileTheArraysGrow() {
         // let go within the first 16,384, then held far beyond them
         add(0, 10_000);
-        events.letGo(9_000);
+        events.letGo(9_000, 9_000);
         add(10_000, 100_000);
         assertHeld(9_000, 100_000);
         assertFalse(events.holds(8_999));
@@ -56,7 +56,7 @@ public class FlowPlaneEventsTest {
         add(0, 16_384);
         events.takeOut(0, 5);
         events.refuse(0, 5);
-        events.letGo(100);
+        events.letGo(100, 100);
         add(16_384, 16_400);
         // 16,389 lies where 5 was
         assertFalse(events.isTakenOut(16_389));
@@ -65,9 +65,21 @@ public class FlowPlaneEventsTest {
     }
 
     @Test
+    public void eventThatIsNeededYetIsKeptThoughItIsHeldNoLonger() {
+        add(0, 16_384);
+        events.letGo(500, 100);
+        add(16_384, 20_000);
+        assertFalse(events.holds(499));
+        assertEquals("first held", 500, events.first(0));
+        for (int e = 100; e < 500; e++) {
+            assertEquals(10L * e, events.timeUs(e));
+        }
+    }
+
+    @Test
     public void numbersBeginAnewWhenCleared() {
         add(0, 50);
-        events.letGo(20);
+        events.letGo(20, 20);
         events.clear();
         assertEquals(0, events.head());
         add(0, 10);
@@ -77,7 +89,7 @@ public class FlowPlaneEventsTest {
     @Test
     public void firstOfATimeIsTheOldestHeldThatIsNotBeforeIt() {
         add(0, 20_000);
-        events.letGo(9_000);
+        events.letGo(9_000, 9_000);
         assertEquals(9_500, events.first(95_000));
         assertEquals(9_501, events.first(95_001));
         assertEquals("held no longer", 9_000, events.first(0));

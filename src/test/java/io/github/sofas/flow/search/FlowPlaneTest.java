@@ -265,6 +265,7 @@ public class FlowPlaneTest {
         // as a new one: seen from the first event's time on, however late
         plane.add(5, 5, 1L << 50, 1);
         plane.settle((1L << 50) + 100_000);
+        assertEquals(1, plane.count(0));
         assertEquals(1, plane.metric(0));
         assertEquals(2 << plane.projections().columnBits() | 2, plane.cell(0, 0));
     }
