@@ -83,7 +83,7 @@ final class Hdf5Reader extends RecordingReader {
             choice.reportTo(reader);
             return reader;
         } catch (RuntimeException | StackOverflowError e) {
-            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: " + reason(e), e);
+            throw new MalformedRecordingException("[" + file.name + "] header at byte 0: " + reason(file, e), e);
         }
     }
 
@@ -97,7 +97,11 @@ final class Hdf5Reader extends RecordingReader {
     }
 
     /** What the library met: its own message, or the kind of failure where a damaged file led it astray. */
-    private static String reason(Throwable e) {
+    private static String reason(RecordingFile file, Throwable e) {
+        String truncated = truncated(file);
+        if (truncated != null) {
+            return truncated;
+        }
         String message = String.valueOf(e.getMessage());
         if (e instanceof UnsupportedHdfException) {
             return "unsupported, " + Printable.shortened(message);
@@ -148,16 +152,31 @@ final class Hdf5Reader extends RecordingReader {
     }
 
     /** The events may all be there while something else is not, or while a lost chunk was taken for one of zeros. */
-    private void checkEnd() throws IOException, MalformedRecordingException {
-        file.seek(0);
-        file.require(END_AT[1] + Long.BYTES);
-        int version = file.buffer[file.position + VERSION_AT];
-        if (version >= 0 && version < END_AT.length && file.available() >= END_AT[version] + Long.BYTES) {
-            long bytes = (long) EvtFormat.LONG.get(file.buffer, file.position + END_AT[version]);
-            if (bytes > file.size()) {
-                throw malformed(eventNumber(0), 0, "truncated, the file must have " + bytes + " bytes but had "
-                        + file.size());
+    private void checkEnd() throws MalformedRecordingException {
+        String truncated = truncated(file);
+        if (truncated != null) {
+            throw malformed(eventNumber(0), 0, truncated);
+        }
+    }
+
+    /** What is wrong where the file is shorter than it says; null where it is not, or where that cannot be read. */
+    private static String truncated(RecordingFile file) {
+        try {
+            file.seek(0);
+            file.require(END_AT[1] + Long.BYTES);
+            int version = file.available() > VERSION_AT ? file.buffer[file.position + VERSION_AT] : 0;
+            if (version < 0 || version >= END_AT.length) {
+                return null;
             }
+            int header = END_AT[version] + Long.BYTES;
+            if (file.available() < header) {
+                return "truncated, the header must have " + header + " bytes but had " + file.available();
+            }
+            long bytes = (long) EvtFormat.LONG.get(file.buffer, file.position + END_AT[version]);
+            return bytes <= file.size() ? null : "truncated, the file must have " + bytes + " bytes but had "
+                + file.size();
+        } catch (IOException e) {
+            return null;
         }
     }
 
@@ -180,7 +199,7 @@ final class Hdf5Reader extends RecordingReader {
                 layout.time().copyTo(times, 0, inStretch);
             }
         } catch (RuntimeException | StackOverflowError e) {
-            throw new MalformedRecordingException(at(eventNumber(0), 0) + reason(e), e);
+            throw new MalformedRecordingException(at(eventNumber(0), 0) + reason(file, e), e);
         }
         for (int i = 0; i < inStretch; i++) {
             times[i] += layout.timeOffsetUs();
