@@ -193,8 +193,8 @@ final class BatchCommand implements Callable<Integer> {
                 option.originalStringValues().forEach(value -> options.add(name + "=" + value));
             }
         }
+        reading.check();
         try {
-            reading.check();
             options.add("--format=" + String.join(",", formats().stream().map(TableFormat::extension).toList()));
             options.addAll(parameterOptions.configAsOptions());
         } catch (IllegalArgumentException e) {

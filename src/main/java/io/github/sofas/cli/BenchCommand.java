@@ -87,6 +87,7 @@ final class BenchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        reading.check();
         BenchmarkOptions options;
         List<Making> all = new ArrayList<>();
         try {

@@ -99,6 +99,7 @@ final class CompareCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         PrintWriter err = spec.commandLine().getErr();
+        reading.check();
         for (Path file : truth == null ? List.of(recording, jaer) : List.of(recording, jaer, truth)) {
             if (!Files.exists(file)) {
                 throw new ParameterException(spec.commandLine(), "[" + file + "] no such file or folder");

@@ -57,7 +57,7 @@ final class ConfigFile {
             config.load(text, name);
             return config;
         } catch (NoSuchFileException e) {
-            throw new IllegalArgumentException(name + "no such file: " + file, e);
+            throw new IllegalArgumentException("[" + file + "] no such file", e);
         } catch (CharacterCodingException e) {
             throw new IllegalArgumentException(name + "must be text in UTF-8 but is not", e);
         } catch (IOException e) {

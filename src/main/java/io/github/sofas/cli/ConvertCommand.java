@@ -79,9 +79,9 @@ final class ConvertCommand implements Callable<Integer> {
         if (table.isEmpty() && !to.equalsIgnoreCase(AEDAT2)) {
             throw usage("--to must be aedat2, csv, npz or parquet but was " + to);
         }
+        reading.check();
         Map<String, Path> named;
         try {
-            reading.check();
             named = RecordingArguments.byName(RecordingArguments.expand(arguments), nameWithExtension);
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());

@@ -182,11 +182,7 @@ final class EvaluateCommand implements Callable<Integer> {
     }
 
     private void checkFiles(Path recording) {
-        try {
-            reading.check();
-        } catch (IllegalArgumentException e) {
-            throw usage(e.getMessage());
-        }
+        reading.check();
         for (Path file : Arrays.asList(truth, results)) {
             if (file != null && !Files.exists(file)) {
                 throw usage("[" + file + "] no such file");

@@ -59,9 +59,9 @@ final class InfoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        reading.check();
         List<Path> recordings;
         try {
-            reading.check();
             recordings = RecordingArguments.expand(arguments);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);

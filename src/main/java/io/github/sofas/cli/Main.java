@@ -47,7 +47,7 @@ public final class Main {
         commandLine.setErr(err);
         commandLine.setUsageHelpAutoWidth(true);
         commandLine.setParameterExceptionHandler((exception, ignored) -> {
-            exception.getMessage().lines().map(Printable::of).forEach(err::println);
+            UsageMessage.of(exception).lines().map(Printable::of).forEach(err::println);
             printSuggestions(args, err);
             err.println("Try '" + exception.getCommandLine().getCommandSpec().qualifiedName() + " --help'.");
             return USAGE;

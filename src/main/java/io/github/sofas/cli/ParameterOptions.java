@@ -28,7 +28,7 @@ import picocli.CommandLine.TypeConversionException;
 final class ParameterOptions {
     private static final List<ParameterHandle> OPTIONS = ParameterHandle.all();
 
-    /** What shell completion offers. */
+    /** What shell completion offers, and messages name. */
     private static final class PresetNames extends ArrayList<String> {
         private static final long serialVersionUID = 1L;
 
@@ -37,7 +37,7 @@ final class ParameterOptions {
         }
     }
 
-    /** Names presets in its message as the help does. */
+    /** Takes presets by the names that the help has. */
     private static final class PresetConverter implements ITypeConverter<SofasParameters.Preset> {
         @Override
         public SofasParameters.Preset convert(String text) {
@@ -46,7 +46,7 @@ final class ParameterOptions {
                     return each;
                 }
             }
-            throw new TypeConversionException("must be one of " + new PresetNames() + " but was \"" + text + "\"");
+            throw new TypeConversionException("unknown preset " + text);
         }
     }
 
@@ -207,8 +207,8 @@ final class ParameterOptions {
     private static Object value(ParameterHandle handle, Given given) {
         if (handle.isSwitch()) {
             if (!given.text.equalsIgnoreCase("true") && !given.text.equalsIgnoreCase("false")) {
-                throw new IllegalArgumentException(given.place + " must be one of [true, false] but was \""
-                    + given.text + "\"");
+                throw new IllegalArgumentException(given.place + " must be true or false but was \"" + given.text
+                    + "\"");
             }
             return Boolean.valueOf(given.text);
         }

@@ -10,10 +10,16 @@ import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import java.util.Locale;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** What a recording does not say itself, for all commands that read recordings. */
 final class ReadingOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
     @Option(names = "--chip", paramLabel = "CHIP",
         description = "Sensor of recordings that do not name one, such as DVS128 or DAVIS240C; for text and AEDAT 3 "
         + "and 4 also a size such as 640x480.")
@@ -44,25 +50,28 @@ final class ReadingOptions {
     /**
      * Checks the values.
      *
-     * @throws IllegalArgumentException where one is out of range, with a message for the user
+     * @throws ParameterException where one is wrong
      */
     void check() {
         if (forceChip && chip == null) {
-            throw new IllegalArgumentException("--force-chip has no effect without --chip");
+            throw usage("--force-chip has no effect without --chip");
         }
         if (!(doubtfulShare >= 0 && doubtfulShare <= 1)) {
-            throw new IllegalArgumentException("--doubtful-share must be 0 to 1 but was " + doubtfulShare);
+            throw usage("--doubtful-share must be 0 to 1 but was " + doubtfulShare);
         }
         if (timeUnit != null && TextTimeUnit.named(timeUnit).isEmpty()) {
-            throw new IllegalArgumentException("--time must be s, ms, us or ns but was " + timeUnit);
+            throw usage("--time must be s, ms, us or ns but was " + timeUnit);
         }
-        if (columns != null) {
-            try {
-                RecordingOptions.defaults().withColumns(columns);
-            } catch (IllegalArgumentException e) {
-                throw new IllegalArgumentException("--" + e.getMessage(), e);
-            }
+        try {
+            recordingOptions();
+        } catch (IllegalArgumentException e) {
+            // begins with the name of what is wrong, which is that of the option
+            throw usage("--" + e.getMessage());
         }
+    }
+
+    private ParameterException usage(String message) {
+        return new ParameterException(command.commandLine(), message);
     }
 
     /**
@@ -96,6 +105,7 @@ final class ReadingOptions {
         }
     }
 
+    /** What {@link #check} has checked. */
     RecordingOptions recordingOptions() {
         RecordingOptions options = RecordingOptions.defaults().withChip(chip).withStrict(strict)
             .withForceChip(forceChip);

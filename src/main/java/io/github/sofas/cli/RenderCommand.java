@@ -232,10 +232,10 @@ final class RenderCommand implements Callable<Integer> {
         if (!method.method().equals("sofas") && shown.panels.contains(Panel.CONTOURS)) {
             throw usage("--panels contours needs --method sofas but was used with " + method.method());
         }
+        reading.check();
         Map<String, Path> named;
         PictureOptions pictures;
         try {
-            reading.check();
             named = RecordingArguments.byName(RecordingArguments.expand(List.of(recording.toString())), false);
             pictures = pictures();
         } catch (IllegalArgumentException e) {

@@ -181,13 +181,15 @@ final class RunCommand implements Callable<Integer> {
         if (threads < 1 || threads > BatchPipeline.MOST_THREADS) {
             throw usage("--threads must be 1 to " + BatchPipeline.MOST_THREADS + " but was " + threads);
         }
+        reading.check();
+        List<TableFormat> formats;
         try {
-            reading.check();
-            if (report && !results.formats().contains(TableFormat.CSV)) {
-                throw usage("--report is drawn from the CSV, so --format must have csv too");
-            }
+            formats = results.formats();
         } catch (IllegalArgumentException e) {
             throw usage(e.getMessage());
+        }
+        if (report && !formats.contains(TableFormat.CSV)) {
+            throw usage("--report is drawn from the CSV, so --format must have csv too");
         }
     }
 

@@ -59,7 +59,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
                     + "1x1 to " + SensorSize.MAX_WIDTH + "x" + SensorSize.MAX_HEIGHT + " but was " + width + "x"
                     + height, e);
         }
-        boolean differs = optionChip != null && !named(fileName, optionChip).sensor.equals(sensor);
+        boolean differs = optionChip != null && !named(optionChip).sensor.equals(sensor);
         return new ChipChoice(headerChip, null, sensor, !differs ? null
                 : "[" + fileName + "] the header names a sensor of " + sensor + ", so --chip " + optionChip
                 + " was not used; --force-chip uses it", false);
@@ -68,7 +68,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
     private static ChipChoice choose(String fileName, String headerChip, RecordingOptions options, String orSize)
             throws EventSourceException {
         String optionChip = options.chip();
-        ChipChoice option = optionChip == null ? null : named(fileName, optionChip);
+        ChipChoice option = optionChip == null ? null : named(optionChip);
         Optional<Chip> header = headerChip == null ? Optional.empty() : Chip.named(headerChip);
         if (header.isPresent() && !(options.forceChip() && option != null)) {
             Chip chip = header.get();
@@ -89,21 +89,26 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
                 + " was used", true);
     }
 
-    private static ChipChoice named(String fileName, String name) throws EventSourceException {
+    /**
+     * The choice of a caller who names a chip or a size.
+     *
+     * @throws IllegalArgumentException where it is neither
+     */
+    static ChipChoice named(String name) {
         Optional<Chip> chip = Chip.named(name);
         if (chip.isPresent()) {
             return new ChipChoice(chip.get().name(), chip.get(), chip.get().sensor(), null, true);
         }
         Matcher size = SIZE.matcher(name);
         if (!size.matches()) {
-            throw new EventSourceException("[" + fileName + "] --chip must name one of " + Chip.knownNames() + OR_SIZE
-                    + " but was " + name);
+            throw new IllegalArgumentException("chip must name one of " + Chip.knownNames() + OR_SIZE + " but was "
+                    + name);
         }
         try {
             return new ChipChoice(null, null,
                     new SensorSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2))), null, true);
         } catch (IllegalArgumentException e) {
-            throw new EventSourceException("[" + fileName + "] --chip " + name + ": " + e.getMessage(), e);
+            throw new IllegalArgumentException("chip " + name + ": " + e.getMessage(), e);
         }
     }
 

@@ -1,5 +1,6 @@
 package io.github.sofas.recording;
 
+import io.github.sofas.event.SensorSize;
 import java.util.List;
 
 /**
@@ -18,6 +19,22 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
                                TextTimeUnit timeUnit) {
     private static final RecordingOptions DEFAULTS = new RecordingOptions(null, false, false, null, null);
 
+    /**
+     * Makes options.
+     *
+     * @param chip name of a chip or size of a sensor; null for none
+     * @param strict whether a step back in time is an error
+     * @param forceChip whether the chip is taken whatever the recording says
+     * @param columns of text recordings; null for those that the recording says
+     * @param timeUnit of text recordings; null for the one that the recording says
+     * @throws IllegalArgumentException where the chip is neither a known name nor a size of {@link SensorSize}'s range
+     */
+    public RecordingOptions {
+        if (chip != null) {
+            ChipChoice.named(chip);
+        }
+    }
+
     /** {@return no chip, not strict, text by its header or the usual order} */
     public static RecordingOptions defaults() {
         return DEFAULTS;
@@ -27,6 +44,7 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
      * {@return the same with another chip, or null for none}
      *
      * @param newChip name of a chip, or a size such as {@code 240x180}
+     * @throws IllegalArgumentException where it is neither
      */
     public RecordingOptions withChip(String newChip) {
         return new RecordingOptions(newChip, strict, forceChip, columns, timeUnit);

@@ -41,4 +41,11 @@ public class CompareCommandTest {
             run("compare", "recordings/short-bar.aedat", "--jaer", "recordings", "--look-ahead", "3"));
         assertTrue(err.toString(), err.toString().startsWith("--look-ahead must be 4 to 10000 but was 3"));
     }
+
+    @Test
+    public void refusesWhatNoRecordingIsReadWithBeforeAnythingRuns() {
+        assertEquals(Main.USAGE,
+            run("compare", "recordings/short-bar.aedat", "--jaer", "recordings", "--time", "h"));
+        assertTrue(err.toString(), err.toString().startsWith("--time must be s, ms, us or ns but was h"));
+    }
 }

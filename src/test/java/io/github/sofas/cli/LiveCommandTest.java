@@ -70,7 +70,7 @@ public class LiveCommandTest {
             "--chip", "DVS128");
         refuses("--udp must be a port from 1 to 65535, or host:port, but was \"8991/udp\"", "--out", dir, "--udp",
             "8991/udp", "--chip", "DVS128");
-        refuses("[nowhere.properties] no such file: nowhere.properties", "--out", dir, "--biases",
+        refuses("[nowhere.properties] no such file", "--out", dir, "--biases",
             "nowhere.properties");
     }
 

@@ -404,17 +404,28 @@ public class RunCommandTest {
         assertUsage("--lifetime-px must be a number but was \"NaN\"", HEXAGON, "--lifetime-px", "NaN");
         assertUsage("--lifetime-px must be a number but was \"five\"", HEXAGON, "--lifetime-px", "five");
         assertUsage("--min-events must be a whole number but was \"20.5\"", HEXAGON, "--min-events", 20.5);
-        assertUsage("--rotation must be one of [true, false] but was \"maybe\"", HEXAGON, "--rotation", "maybe");
+        assertUsage("--rotation must be true or false but was \"maybe\"", HEXAGON, "--rotation", "maybe");
         assertUsage("--max-lifetime-px must be at least lifetime-px 5 but was 2", HEXAGON, "--max-lifetime-px", 2);
         assertUsage("--jobs must be at least 1 but was 0", HEXAGON, "--jobs", 0);
         assertUsage("--threads must be 1 to 3 but was 4", HEXAGON, "--threads", 4);
         assertUsage("--threads must be 1 to 3 but was 0", HEXAGON, "--threads", 0);
+        assertUsage("--jobs must be a whole number but was \"two\"", HEXAGON, "--jobs", "two");
+        assertUsage("--doubtful-share must be a number but was \"some\"", HEXAGON, "--doubtful-share", "some");
+        assertUsage("--format must be csv, parquet or npz but was xls", HEXAGON, "--format", "csv,xls");
     }
 
     @Test
-    public void refusesUnknownPresets() {
-        assertUsage("Invalid value for option '--preset': must be one of [paper, default] but was \"fast\"", HEXAGON,
-            "--preset", "fast");
+    public void refusesUnknownNamesAndSaysWhichAreKnown() {
+        assertUsage("--preset must be one of paper, default but was \"fast\"", HEXAGON, "--preset", "fast");
+        assertUsage("--method must be one of sofas, lucas-kanade, local-planes but was \"fast\"", HEXAGON, "--method",
+            "fast");
+    }
+
+    @Test
+    public void refusesAChipThatIsNoneBeforeAnythingIsRun() {
+        assertUsage("--chip must name one of " + Chip.knownNames() + " or a size such as 240x180 but was DVS129",
+            HEXAGON, "--chip", "DVS129");
+        assertUsage("--chip 0x10: sensor width must be between 1 and 1280 but was 0", HEXAGON, "--chip", "0x10");
     }
 
     @Test
@@ -457,7 +468,7 @@ public class RunCommandTest {
         Files.write(config, new byte[(1 << 20) + 1]);
         assertUsage("[my.properties] must have at most 1048576 bytes but has more", HEXAGON, "--config", config);
         Files.delete(config);
-        assertUsage("[my.properties] no such file: " + config, HEXAGON, "--config", config);
+        assertUsage("[" + config + "] no such file", HEXAGON, "--config", config);
     }
 
     @Test

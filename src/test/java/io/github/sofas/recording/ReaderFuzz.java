@@ -346,7 +346,7 @@ public final class ReaderFuzz {
         /** Called by the fuzzer. */
         public static void fuzzerTestOneInput(byte[] data) {
             String[] names = {"a", "a.dat", "a.aedat", "a.aedat4", "a.txt", "a.raw", "a.bin"};
-            String[] chips = {null, "DVS128", "DAVIS240C", "16x12", "0x0"};
+            String[] chips = {null, "DVS128", "DAVIS240C", "16x12"};
             int choice = data.length == 0 ? 0 : (data[data.length - 1] & 0xFF) % (names.length * chips.length);
             read(names[choice % names.length], data,
                 RecordingOptions.defaults().withChip(chips[choice / names.length]));
