@@ -1,6 +1,8 @@
 package io.github.sofas.render;
 
+import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
@@ -32,6 +34,14 @@ final class Canvas {
         pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
         ground = new int[pixels.length];
         painted = new boolean[pixels.length / SIDE];
+    }
+
+    /** Draws on any image with smooth edges. */
+    static Graphics2D graphics(BufferedImage image) {
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        return g;
     }
 
     BufferedImage image() {

@@ -51,7 +51,7 @@ final class SegmentNames {
         String text = Integer.toString(id);
         int width = (int) Math.ceil(FONT.getStringBounds(text, SMOOTH).getWidth());
         BufferedImage image = new BufferedImage(width + 2 * PADDING, HEIGHT, BufferedImage.TYPE_INT_ARGB);
-        Graphics2D g = PictureSheet.graphics(image);
+        Graphics2D g = Canvas.graphics(image);
         g.setFont(FONT);
         // else hinting makes bold letters of this size as thin as others
         g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);

@@ -18,14 +18,14 @@ final class TimeStamp {
 
     /** Draws the letters in a colour, as 0xRRGGBB. */
     TimeStamp(int rgb) {
-        Graphics2D any = PictureSheet.graphics(new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB));
+        Graphics2D any = Canvas.graphics(new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB));
         FontMetrics metrics = any.getFontMetrics(FONT);
         any.dispose();
         advance = metrics.charWidth('0');
         ascent = metrics.getAscent();
         for (int i = 0; i < letters.length; i++) {
             letters[i] = new BufferedImage(advance, ascent + metrics.getDescent(), BufferedImage.TYPE_INT_ARGB);
-            Graphics2D g = PictureSheet.graphics(letters[i]);
+            Graphics2D g = Canvas.graphics(letters[i]);
             g.setFont(FONT);
             g.setColor(new Color(rgb));
             g.drawString(LETTERS.substring(i, i + 1), 0, ascent);
