@@ -1,10 +1,15 @@
 package io.github.sofas.experiments;
 
+import static io.github.sofas.experiments.PageParts.captioned;
+import static io.github.sofas.experiments.PageParts.format;
+import static io.github.sofas.experiments.PageParts.paper;
+import static io.github.sofas.experiments.PageParts.picture;
+import static io.github.sofas.experiments.PageParts.plots;
+import static io.github.sofas.experiments.PageParts.plainTable;
 import static j2html.TagCreator.a;
 import static j2html.TagCreator.body;
 import static j2html.TagCreator.code;
 import static j2html.TagCreator.dd;
-import static j2html.TagCreator.details;
 import static j2html.TagCreator.div;
 import static j2html.TagCreator.dl;
 import static j2html.TagCreator.dt;
@@ -16,7 +21,6 @@ import static j2html.TagCreator.h2;
 import static j2html.TagCreator.h3;
 import static j2html.TagCreator.head;
 import static j2html.TagCreator.html;
-import static j2html.TagCreator.img;
 import static j2html.TagCreator.join;
 import static j2html.TagCreator.li;
 import static j2html.TagCreator.meta;
@@ -24,21 +28,11 @@ import static j2html.TagCreator.nav;
 import static j2html.TagCreator.ol;
 import static j2html.TagCreator.p;
 import static j2html.TagCreator.rawHtml;
-import static j2html.TagCreator.source;
-import static j2html.TagCreator.span;
 import static j2html.TagCreator.style;
-import static j2html.TagCreator.summary;
-import static j2html.TagCreator.table;
-import static j2html.TagCreator.tbody;
-import static j2html.TagCreator.td;
-import static j2html.TagCreator.th;
 import static j2html.TagCreator.text;
-import static j2html.TagCreator.thead;
 import static j2html.TagCreator.title;
-import static j2html.TagCreator.tr;
 
 import io.github.sofas.evaluate.Distribution;
-import io.github.sofas.evaluate.Evaluation;
 import io.github.sofas.render.Panel;
 import j2html.TagCreator;
 import j2html.tags.DomContent;
@@ -48,22 +42,13 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Base64;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import java.util.function.ToDoubleFunction;
 
 /** The page of the experiments: HTML that needs no other file, no network and no script. */
 final class ExperimentReport {
     private static final int SMALL_WIDTH = 300;
     private static final int SMALL_HEIGHT = 190;
-    private static final int WIDE_WIDTH = 540;
-    private static final int WIDE_HEIGHT = 300;
     private static final int MAP_SIDE = 400;
-    /** In place of a figure that there are no events for. */
-    private static final String NONE = "–";
 
     private final Experiments experiments;
     private final String version;
@@ -75,8 +60,8 @@ final class ExperimentReport {
 
     String page() {
         List<Chapter> chapters = List.of(
-            new Chapter("claims", "What the paper says, and what comes out here", claims()),
-            new Chapter("goals", "Goals", goals()),
+            new Chapter("claims", "What the paper says, and what comes out here", ClaimsChapter.of(experiments)),
+            new Chapter("goals", "Goals", GoalsChapter.of(experiments)),
             new Chapter("a", "(a) Four shapes at 58 px/s", shapes()),
             new Chapter("b", "(b) Three velocities", velocities()),
             new Chapter("c", "(c) Acceleration: a pendulum", pendulum()),
@@ -86,7 +71,7 @@ final class ExperimentReport {
             new Chapter("g", "(g) Segmentation", segmentation()),
             new Chapter("h", "(h) Recordings of real cameras", real()),
             new Chapter("i", "(i) Random scenes, texture, growth", RandomChapter.of(experiments.randomScenes())),
-            new Chapter("figures", "All figures", List.of(figures(Setting.ALL))),
+            new Chapter("figures", "All figures", List.of(FigureTable.of(experiments, Setting.ALL))),
             new Chapter("definitions", "What the figures mean", definitions()));
         return "<!DOCTYPE html>\n" + html(
             head(meta().withCharset("utf-8"),
@@ -120,99 +105,12 @@ final class ExperimentReport {
         }
     }
 
-    /**
-     * What the paper's text states, and the figure that decides it here.
-     *
-     * @param statement the paper's
-     * @param figure in words, with its unit
-     * @param settings that it is about
-     * @param value the figure
-     */
-    private record Claim(String statement, String figure, List<Setting> settings, ToDoubleFunction<Evaluation> value) {
-    }
-
-    private List<DomContent> claims() {
-        List<Claim> claims = List.of(
-            new Claim("Lucas-Kanade under-estimates the magnitude by about 35 %", "magnitude error, mean, %",
-                Setting.SHAPES, e -> e.flow().magnitudeErrorPercent().mean()),
-            new Claim("SOFAS has the lower standard deviation of errors", "magnitude error, sd, %", Setting.SHAPES,
-                e -> e.flow().magnitudeErrorPercent().sd()),
-            new Claim("SOFAS is far superior in direction, but for the small circle, where both are about even",
-                "angular error, mean, °", Setting.SHAPES, e -> e.flow().angularErrorDeg().mean()),
-            new Claim("SOFAS is slightly better at higher velocities", "relative AEE at 5.8, 58 and 289 px/s, %",
-                Setting.VELOCITIES, e -> e.flow().relativeEndpointErrorPercent().mean()),
-            new Claim("A pendulum gives a relatively noisy, but reasonable estimate", "AEE, of the peak speed, %",
-                List.of(Setting.PENDULUM), e -> e.flow().endpointErrorPercentOfPeak()),
-            new Claim("SOFAS performs poorly on rotating bars, worst on the long one",
-                "relative AEE, short and long, %", Setting.BARS, e -> e.flow().relativeEndpointErrorPercent().mean()));
-        List<ComparedMethod> methods = List.of(ComparedMethod.values());
-        return List.of(
-            p("The paper shows its results as pictures; these are the statements of its text. Figures of the four "
-                + "shapes are in the order rectangles, hexagon, large circle, small circle."),
-            div(table(
-                thead(tr(th("the paper").withClass("name"), th("figure here").withClass("name"),
-                    each(methods, method -> th(method.title())))),
-                tbody(each(claims, claim -> tr(td(claim.statement).withClass("wrap"),
-                    td(claim.figure).withClass("wrap"), each(methods, method -> td(values(claim, method))))))))
-                .withClass("scroll"),
-            p(text("The paper's own speed was 6,000 events a second (81,700 events in 13.6 s); "),
-                code("./sofas bench"),
-                text(" measures this one's.")));
-    }
-
-    private String values(Claim claim, ComparedMethod method) {
-        return String.join(", ", claim.settings.stream().map(setting -> {
-            Evaluation evaluation = experiments.trial(setting, method).evaluation();
-            return evaluation.flow().eventsWithFlow() == 0 ? NONE
-                : format("%.1f", claim.value.applyAsDouble(evaluation));
-        }).toList());
-    }
-
-    private List<DomContent> goals() {
-        Map<String, List<Goal.Check>> all = experiments.checksByScene();
-        Map<String, List<Goal.Check>> missed = new LinkedHashMap<>();
-        int count = 0;
-        int met = 0;
-        for (Map.Entry<String, List<Goal.Check>> scene : all.entrySet()) {
-            List<Goal.Check> misses = scene.getValue().stream().filter(check -> !check.met()).toList();
-            count += scene.getValue().size();
-            met += scene.getValue().size() - misses.size();
-            if (!misses.isEmpty()) {
-                missed.put(scene.getKey(), misses);
-            }
-        }
-        return List.of(
-            p(format("The default preset reaches %d of the %d goals that were set for it, and misses these:", met,
-                count)),
-            checks(missed),
-            details(summary("All goals"), checks(all)));
-    }
-
-    private static DomContent checks(Map<String, List<Goal.Check>> byScene) {
-        List<DomContent> rows = new ArrayList<>();
-        byScene.forEach((scene, checks) -> rows.addAll(goalRows(scene, checks)));
-        return div(table(thead(tr(th("scene").withClass("name"), th("figure").withClass("name"), th("goal"),
-            th("reached"), th())), tbody(each(rows, row -> row))).withClass("goals")).withClass("scroll");
-    }
-
-    private static List<DomContent> goalRows(String scene, List<Goal.Check> checks) {
-        List<DomContent> rows = new ArrayList<>();
-        for (int i = 0; i < checks.size(); i++) {
-            Goal.Check check = checks.get(i);
-            rows.add(tr(td(i == 0 ? scene : "").withClass("name"), td(check.figure()).withClass("name"),
-                td(check.goal()), td(check.reached()),
-                td(check.met() ? "✓ met" : "✗ missed").withClass(check.met() ? "good" : "bad"))
-                .withClass(i == 0 ? "first" : ""));
-        }
-        return rows;
-    }
-
     private List<DomContent> shapes() {
         List<DomContent> content = new ArrayList<>();
         content.add(paper("Four shapes moved by a robot arm at 58 px/s. Lucas-Kanade, with a window of 7 x 7 pixels, "
             + "sees only what is across an edge (the aperture problem), and under-estimates the magnitude by about "
             + "35 %; SOFAS looks at the whole structure."));
-        content.add(figures(Setting.SHAPES));
+        content.add(FigureTable.of(experiments, Setting.SHAPES));
         for (Setting setting : Setting.SHAPES) {
             content.add(h3(setting.title()));
             content.add(div(histograms(setting, List.of(ComparedMethod.values()), true),
@@ -237,7 +135,7 @@ final class ExperimentReport {
     private List<DomContent> velocities() {
         List<DomContent> content = new ArrayList<>();
         content.add(paper("The hexagon at 5.8, 58 and 289 px/s: slightly better at higher velocities."));
-        content.add(figures(Setting.VELOCITIES));
+        content.add(FigureTable.of(experiments, Setting.VELOCITIES));
         for (Setting setting : Setting.VELOCITIES) {
             content.add(h3(setting.title()));
             List<ComparedMethod> both = List.of(ComparedMethod.SOFAS_DEFAULT, ComparedMethod.SOFAS_PAPER);
@@ -250,7 +148,7 @@ final class ExperimentReport {
         return List.of(
             paper("A pendulum of 0.72 m let go at 23°: a relatively noisy, but reasonable estimate where nothing is "
                 + "constant."),
-            figures(List.of(Setting.PENDULUM)), plots(Plots.pendulum(experiments)),
+            FigureTable.of(experiments, List.of(Setting.PENDULUM)), plots(Plots.pendulum(experiments)),
             p("Medians over the object's events in bins of 20 ms. The speed passes zero where the pendulum turns "
                 + "round; relative errors there are large, so the endpoint error is best taken relative to the peak "
                 + "speed.").withClass("soft"));
@@ -260,7 +158,7 @@ final class ExperimentReport {
         return List.of(
             paper("Two bars turning once a second. Projections do not model rotation, so SOFAS performs poorly; the "
                 + "long bar, which fills the frame, suffers from the aperture problem."),
-            figures(Setting.BARS),
+            FigureTable.of(experiments, Setting.BARS),
             p("How to read the pictures here and below:"),
             figure(picture(experiments.trial(Setting.THREE_WANDERING, ComparedMethod.SOFAS_DEFAULT).strip()
                 .withLegends())).withClass("key"),
@@ -289,11 +187,6 @@ final class ExperimentReport {
                 strip.fullPxPerS())).withClass("soft"),
             div(each(ours, figure -> figure)).withClass("grid"),
             div(each(others, figure -> figure)).withClass("grid"));
-    }
-
-    static DomContent captioned(Strip.Moment moment, Panel panel, String before) {
-        return figure(picture(moment.pictures().get(panel)),
-            figcaption(format("%s%s, %.2f s", before, panel, moment.timeUs() * 1e-6)));
     }
 
     private List<DomContent> convergence() {
@@ -334,7 +227,7 @@ final class ExperimentReport {
         return List.of(
             paper("Cockroaches that wander, a pan past bars at four depths, an object that is hidden and found again: "
                 + "segmented clearly, sometimes in parts that are merged later."),
-            figures(Setting.SEVERAL),
+            FigureTable.of(experiments, Setting.SEVERAL),
             p("Lucas-Kanade and local planes find no segments: all their events are taken as one.").withClass("soft"),
             join(each(Setting.SEVERAL.stream().filter(Setting.PICTURED::contains).toList(), this::strips)));
     }
@@ -354,49 +247,6 @@ final class ExperimentReport {
             content.add(plots(real.plots()));
         }
         return content;
-    }
-
-    private static DomContent plainTable(List<String> header, List<List<String>> rows) {
-        return div(table(thead(tr(each(header, cell -> th(cell)))),
-            tbody(each(rows, row -> tr(td(row.get(0)).withClass("name"),
-                each(row.subList(1, row.size()), cell -> td(cell))))))).withClass("scroll");
-    }
-
-    /** A row a setting and method. */
-    private DomContent figures(List<Setting> settings) {
-        List<DomContent> rows = new ArrayList<>();
-        for (Setting setting : settings) {
-            for (ComparedMethod method : ComparedMethod.values()) {
-                Evaluation e = experiments.trial(setting, method).evaluation();
-                boolean first = method == ComparedMethod.SOFAS_DEFAULT;
-                rows.add(tr(td(first ? setting.title() : "").withClass("name"), td(method.title()).withClass("name"),
-                    td(meanAndSd(e.flow().magnitudeErrorPercent())), td(meanAndSd(e.flow().directionErrorDeg())),
-                    td(format("%.1f", 100 * e.flow().shareWithFlow())),
-                    td(mean(e.flow().endpointErrorPxPerS())), td(mean(e.flow().relativeEndpointErrorPercent())),
-                    td(format("%.1f", 100 * e.noiseShareWithFlow())),
-                    td(method.segmenting() ? format("%.3f", e.segmentation().meanIou()) : NONE),
-                    td(method.segmenting() ? format("%.2f", e.segmentation().partsPerObject()) : NONE),
-                    td(e.segmentation().labelled() == 0 ? NONE : format("%.0f ms, %.1f px",
-                        e.segmentation().firstLabelledUs() / 1e3, e.segmentation().firstLabelledPx())))
-                    .withClass(first ? "first ours" : ""));
-            }
-        }
-        return div(table(
-            thead(tr(th("scene").withClass("name"), th("method").withClass("name"),
-                th(rawHtml("magnitude<br>error, %")),
-                th(rawHtml("direction<br>error, °")), th(rawHtml("with<br>flow, %")), th(rawHtml("AEE,<br>px/s")),
-                th(rawHtml("relative<br>AEE, %")),
-                th(rawHtml("noise with<br>flow, %")), th(rawHtml("best<br>IoU")),
-                th(rawHtml("parts an<br>object")), th(rawHtml("first<br>labelled")))),
-            tbody(each(rows, row -> row)))).withClass("scroll");
-    }
-
-    private static String meanAndSd(Distribution errors) {
-        return errors.count() == 0 ? NONE : format("%.1f ± %.1f", errors.mean(), errors.sd());
-    }
-
-    private static String mean(Distribution errors) {
-        return errors.count() == 0 ? NONE : format("%.1f", errors.mean());
     }
 
     private static List<DomContent> definitions() {
@@ -421,31 +271,5 @@ final class ExperimentReport {
 
     private static DomContent term(String name, String meaning) {
         return join(dt(name), dd(meaning));
-    }
-
-    private static DomContent paper(String text) {
-        return p(span("The paper: "), text(text)).withClass("paper");
-    }
-
-    private static DomContent plots(List<Plot> plots) {
-        return div(each(plots, plot -> figure(picture(Charts.of(plot, WIDE_WIDTH, WIDE_HEIGHT)))))
-            .withClass("grid wide");
-    }
-
-    private static DomContent picture(Picture picture) {
-        return TagCreator.picture(
-            source().attr("media", "(prefers-color-scheme: dark)").attr("srcset", data(picture.dark())),
-            img().withSrc(data(picture.light())).withAlt(picture.alt()).attr("width", picture.width())
-                .attr("height", picture.height()));
-    }
-
-    private static String data(byte[] png) {
-        return "data:image/png;base64," + Base64.getEncoder().encodeToString(png);
-    }
-
-    /** Formats; what rounds to zero has no sign, and % stays with its number. */
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values).replaceAll("-(0(\\.0+)?)(?![.\\d])", "$1")
-            .replace(" %", "\u00A0%");
     }
 }

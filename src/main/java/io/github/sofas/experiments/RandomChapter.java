@@ -61,7 +61,7 @@ final class RandomChapter {
         List<DomContent> pictures = new ArrayList<>();
         for (Panel panel : PANELS) {
             for (Strip.Moment moment : scene.strip().moments()) {
-                pictures.add(ExperimentReport.captioned(moment, panel, ""));
+                pictures.add(PageParts.captioned(moment, panel, ""));
             }
         }
         return join(h3("Among the worst: " + scene.figures().name()),
