@@ -7,9 +7,7 @@ import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -24,22 +22,14 @@ import java.util.function.Supplier;
 public abstract class RecordingReader implements EventSource {
     /** Events that are decoded at once where some wait for those behind them. */
     private static final int BEHIND = 4096;
-    /** Where a larger share of the events is out of order, it is not some that are damaged. */
-    private static final double MOST_OUT_OF_ORDER = 0.1;
-    private static final int FEWEST_FOR_ORDER = 100;
-    /** Where more lie outside, the sensor is another. */
-    private static final double MOST_OUTSIDE = 0.1;
-    private static final int FEWEST_OUTSIDE = 20;
 
     final RecordingFile file;
-    final boolean strict;
 
     long apsSamples;
     long frames;
     long imuSamples;
     long triggers;
     long invalid;
-    long outsideSensor;
     long otherRecords;
     /** Records with bits that no recorder sets; what could be read of them was used. */
     long malformedRecords;
@@ -51,12 +41,12 @@ public abstract class RecordingReader implements EventSource {
     private final String formatName;
     private final String chipName;
     private final SensorSize sensor;
-    private final Map<String, Fault> faults = new LinkedHashMap<>();
     private boolean chipIsAsked;
-    private int greatestX;
-    private int greatestY;
     private final List<String> notes = new ArrayList<>();
-    private final TimeOrder order = new TimeOrder(this);
+    private final Faults faults = new Faults();
+    private final OutsideEvents outside;
+    private final TimeFaults timeFaults;
+    private final TimeOrder order;
     /** Takes what is decoded while events wait that come before it. */
     private EventBatch behind;
     /** Number and place of each event of the batch that is being decoded. */
@@ -65,31 +55,19 @@ public abstract class RecordingReader implements EventSource {
     /** Events decoded; those that are delivered are fewer where times are damaged, or where some wait. */
     private long decoded;
     private long events;
-    private long stepsBack;
-    private long damagedTimes;
-    private long timeRestarts;
-    private long timeWraps;
     private boolean ended;
     private boolean closed;
     private EventSourceException damage;
 
-    /** One kind of fault: where it was met first, and how often. */
-    private static final class Fault {
-        final String first;
-        long count = 1;
-
-        Fault(String first) {
-            this.first = first;
-        }
-    }
-
     RecordingReader(RecordingFile file, RecordingOptions options, String formatName, String chipName,
                     SensorSize sensor) {
         this.file = file;
-        this.strict = options.strict();
         this.formatName = formatName;
         this.chipName = chipName;
         this.sensor = sensor;
+        outside = new OutsideEvents(sensor);
+        timeFaults = new TimeFaults(this, options.strict());
+        order = new TimeOrder(this, timeFaults);
     }
 
     /**
@@ -123,7 +101,7 @@ public abstract class RecordingReader implements EventSource {
             return step + rangeUs;
         }
         // an event of before the overflow that came after it
-        return step >= leastBackUs && timeWraps > 0 ? step - rangeUs : step;
+        return step >= leastBackUs && timeWraps() > 0 ? step - rangeUs : step;
     }
 
     @Override
@@ -150,8 +128,9 @@ public abstract class RecordingReader implements EventSource {
      * {@return what has been met up to the end of the last batch; in a batch's middle, up to what was decoded for it}
      */
     public final RecordingCounts counts() {
-        return new RecordingCounts(events, apsSamples, frames, imuSamples, triggers, invalid, outsideSensor, stepsBack,
-                timeWraps, otherRecords, malformedRecords, damagedTimes, timeRestarts);
+        return new RecordingCounts(events, apsSamples, frames, imuSamples, triggers, invalid, outside.count(),
+                timeFaults.stepsBack(), timeFaults.wraps(), otherRecords, malformedRecords, timeFaults.damagedTimes(),
+                timeFaults.restarts());
     }
 
     /**
@@ -194,11 +173,7 @@ public abstract class RecordingReader implements EventSource {
      * the first and their number. Empty for a faultless recording.
      */
     public final List<String> faults() {
-        List<String> lines = new ArrayList<>();
-        for (Fault fault : faults.values()) {
-            lines.add(fault.count == 1 ? fault.first : fault.first + " (the first of " + fault.count + ")");
-        }
-        return List.copyOf(lines);
+        return faults.lines();
     }
 
     /** {@return what the user should know beside the faults, such as that an option was not needed} */
@@ -282,10 +257,8 @@ public abstract class RecordingReader implements EventSource {
 
     /** What is wrong with a recording of which too many events are out of order; null where they are not. */
     private EventSourceException disorder() {
-        long outOfOrder = stepsBack + damagedTimes;
-        boolean isShuffled = decoded >= FEWEST_FOR_ORDER && outOfOrder > decoded * MOST_OUT_OF_ORDER;
-        return !isShuffled || closed ? null : new MalformedRecordingException("[" + file.name + "] malformed, events "
-                + "must be in order of time but " + outOfOrder + " of " + decoded + " were not");
+        String disorder = closed ? null : timeFaults.disorder(decoded);
+        return disorder == null ? null : new MalformedRecordingException("[" + file.name + "] " + disorder);
     }
 
     /** Gives back what a format holds beside the file. */
@@ -313,12 +286,7 @@ public abstract class RecordingReader implements EventSource {
 
     /** Keeps a fault that does not end the reading; the kind is what faults are counted by. */
     final void addFault(String kind, Supplier<String> message) {
-        Fault fault = faults.get(kind);
-        if (fault == null) {
-            faults.put(kind, new Fault(message.get()));
-        } else {
-            fault.count++;
-        }
+        faults.add(kind, message);
     }
 
     /** Notes where event n of the batch lies, before it is decoded further. */
@@ -335,7 +303,7 @@ public abstract class RecordingReader implements EventSource {
 
     /** The number, from 0, of the event that follows those decoded, those dropped and n more of this batch. */
     final long eventNumber(int n) {
-        return decoded + outsideSensor + invalid + n;
+        return decoded + outside.count() + invalid + n;
     }
 
     /** The time of something beside the events, on the clock of those. */
@@ -343,53 +311,19 @@ public abstract class RecordingReader implements EventSource {
         return order.timeOf(fileUs);
     }
 
-    /** Counts an event whose time is below one before it, and which gets the time of that. */
-    final void stepBack(long timeUs, long event, long offset) throws MalformedRecordingException {
-        outOfOrder("time", event, offset, timeRule(timeUs), "");
-        stepsBack++;
-    }
-
-    /** Counts an event whose time is damaged, and which is not delivered. */
-    final void timeDamaged(long timeUs, long event, long offset) throws MalformedRecordingException {
-        outOfOrder("jump", event, offset, "malformed, time must go on from " + order.lastUs() + " us but was " + timeUs
-                + " us", ", from which the next events do not go on; the event was dropped");
-        damagedTimes++;
-    }
-
-    /** Counts that the clock started again; time goes on from the greatest before. */
-    final void timeRestarts(long timeUs, long event, long offset) throws MalformedRecordingException {
-        outOfOrder("restart", event, offset, timeRule(timeUs), ", from where it goes on; "
-                + (order.lastUs() - timeUs) + " us were added from there on");
-        timeRestarts++;
-    }
-
     /** Counts an overflow of the clock. */
     final void timeWrapped() {
-        timeWraps++;
+        timeFaults.wrapped();
     }
 
     /** How many overflows of the clock there were. */
     final long timeWraps() {
-        return timeWraps;
-    }
-
-    private void outOfOrder(String kind, long event, long offset, String rule, String consequence)
-            throws MalformedRecordingException {
-        if (strict) {
-            throw malformed(event, offset, (rule.startsWith("malformed") ? "" : "malformed, ") + rule);
-        }
-        addFault(kind, () -> at(event, offset) + rule + consequence);
-    }
-
-    private String timeRule(long timeUs) {
-        return "time must not fall below " + order.lastUs() + " us but was " + timeUs + " us";
+        return timeFaults.wraps();
     }
 
     /** Counts an event outside the sensor, which is not delivered. */
     final void outside(int x, int y, long event, long offset) {
-        outsideSensor++;
-        greatestX = Math.max(greatestX, x);
-        greatestY = Math.max(greatestY, y);
+        outside.add(x, y);
         addFault("outside", () -> at(event, offset) + sensor.brokenRule(x, y));
     }
 
@@ -409,15 +343,10 @@ public abstract class RecordingReader implements EventSource {
      * @throws MalformedRecordingException where they do not
      */
     final void checkPixels(String asked) throws MalformedRecordingException {
-        if (outsideSensor < FEWEST_OUTSIDE || outsideSensor <= MOST_OUTSIDE * (decoded + outsideSensor)) {
-            return;
+        String misfit = outside.misfit(asked, decoded);
+        if (misfit != null) {
+            throw new MalformedRecordingException("[" + file.name + "] " + misfit);
         }
-        String likely = Chip.known().stream().filter(chip -> chip.sensor().contains(greatestX, greatestY))
-            .map(Chip::name).findFirst().map(name -> ", as of a " + name).orElse("");
-        throw new MalformedRecordingException("[" + file.name + "] malformed, --chip " + asked
-            + " must fit the events but of the first " + (decoded + outsideSensor) + ", " + outsideSensor
-            + " lie outside " + sensor + ", at x up to " + greatestX + " and y up to " + greatestY + likely
-            + "; --force-chip takes what lies within");
     }
 
     /** Where in the file a place of its buffer lies. */

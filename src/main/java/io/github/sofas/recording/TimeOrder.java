@@ -32,6 +32,7 @@ final class TimeOrder {
     private static final int ALONE_FACTOR = 100;
 
     private final RecordingReader reader;
+    private final TimeFaults faults;
 
     /** Time of the last event that was in order, as the file holds it and as it is delivered. */
     private long fileUs;
@@ -50,8 +51,9 @@ final class TimeOrder {
     private int at;
     private int end;
 
-    TimeOrder(RecordingReader reader) {
+    TimeOrder(RecordingReader reader, TimeFaults faults) {
         this.reader = reader;
+        this.faults = faults;
     }
 
     /** How many events wait for those that follow. */
@@ -144,7 +146,7 @@ final class TimeOrder {
             long step = started ? reader.step(fileUs, candidateUs) : 0;
             boolean falls = step < -FAR_US;
             if (candidateUs > MOST_US || candidateUs < -MOST_US) {
-                reader.timeDamaged(candidateUs, waitingNumber[at], waitingPlace[at]);
+                faults.damaged(candidateUs, waitingNumber[at], waitingPlace[at]);
                 at++;
             } else if (started && step >= -FAR_US && step <= JUMP_US) {
                 put(batch, step);
@@ -155,10 +157,10 @@ final class TimeOrder {
                     return;
                 }
                 if (!isConfirmed(step, witnesses)) {
-                    reader.timeDamaged(timeOf(candidateUs), waitingNumber[at], waitingPlace[at]);
+                    faults.damaged(timeOf(candidateUs), waitingNumber[at], waitingPlace[at]);
                     at++;
                 } else if (falls) {
-                    reader.timeRestarts(timeOf(candidateUs), waitingNumber[at], waitingPlace[at]);
+                    faults.restarts(timeOf(candidateUs), waitingNumber[at], waitingPlace[at]);
                     fileUs = candidateUs;
                     put(batch, 0);
                 } else {
@@ -174,7 +176,7 @@ final class TimeOrder {
     private void put(EventBatch batch, long step) throws MalformedRecordingException {
         long candidateUs = waitingUs[at];
         if (step < 0) {
-            reader.stepBack(timeUs + step, waitingNumber[at], waitingPlace[at]);
+            faults.stepBack(timeUs + step, waitingNumber[at], waitingPlace[at]);
         } else {
             if (!started) {
                 started = true;
@@ -182,7 +184,7 @@ final class TimeOrder {
                 firstUs = candidateUs;
             } else {
                 if (step != candidateUs - fileUs) {
-                    reader.timeWrapped();
+                    faults.wrapped();
                 }
                 timeUs += step;
             }

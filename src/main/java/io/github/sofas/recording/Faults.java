@@ -1,0 +1,40 @@
+package io.github.sofas.recording;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+
+/** Faults of a recording that do not end its reading: of each kind where it was met first, and how often. */
+final class Faults {
+    private final Map<String, Fault> faults = new LinkedHashMap<>();
+
+    private static final class Fault {
+        private final String first;
+        private long count = 1;
+
+        Fault(String first) {
+            this.first = first;
+        }
+    }
+
+    /** Keeps a fault; the kind is what faults are counted by, and the message is made for the first of a kind. */
+    void add(String kind, Supplier<String> message) {
+        Fault fault = faults.get(kind);
+        if (fault == null) {
+            faults.put(kind, new Fault(message.get()));
+        } else {
+            fault.count++;
+        }
+    }
+
+    /** A line per kind, in the order in which they were met. */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        for (Fault fault : faults.values()) {
+            lines.add(fault.count == 1 ? fault.first : fault.first + " (the first of " + fault.count + ")");
+        }
+        return List.copyOf(lines);
+    }
+}
