@@ -29,7 +29,7 @@ public record Segment(int id, long firstTimeUs, long lastTimeUs, long events, fl
         ALIVE,
         /** Another track plane described the same structure and took its events. */
         MERGED,
-        /** It got too few events for its speed and contour, or left the sensor. */
+        /** It got too few events for its speed and contour, left the sensor, or its events contradicted its motion. */
         REMOVED
     }
 }

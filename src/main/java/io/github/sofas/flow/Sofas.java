@@ -19,9 +19,8 @@ import java.util.function.Consumer;
  * sofas.process(batch, flow);        // flow.vxPxPerS[i], flow.vyPxPerS[i], flow.segment[i]
  * }</pre>
  *
- * <p>Results do not depend on how the events are cut into batches.
- *
- * <p>Results do not depend on whether another thread helps either ({@link #helpedBy}).
+ * <p>Results do not depend on how the events are cut into batches, nor on whether another thread helps
+ * ({@link #helpedBy}).
  *
  * <p>Any thread may call any method at any time: what it asks is done between two batches, and waits for the one that
  * is being labelled ({@link #setParameters} and {@link #parameters} do not wait). Engines share nothing. Batches and

@@ -77,7 +77,7 @@ public record SofasParameters(
             origin = "ours, because an edge that was hidden, or that moved along itself, would come back as another",
             unit = "px", min = 0, max = 1000, defaults = 64)
         double memoryPx,
-        @Parameter(value = "whether a track plane may speed up",
+        @Parameter(value = "whether a track plane may accelerate",
             origin = "ours, because the velocity of now is wanted, not that of the middle of the window",
             defaults = Parameter.ON)
         boolean acceleration,

@@ -1,6 +1,7 @@
 /**
  * The method: simultaneous optical flow and segmentation (Stoffregen and Kleeman, ACRA 2017). Open
- * {@link io.github.sofas.flow.Sofas} first. Depends on {@code event} only.
+ * {@link io.github.sofas.flow.Sofas} first; {@link io.github.sofas.flow.SmoothedSofas} labels recordings, whose events
+ * need not be labelled at once. Depends on {@code event} only.
  *
  * <pre>
  *   event ──> track plane stack ── on a contour ──> its track plane: velocity and segment of the event
@@ -13,8 +14,9 @@
  *
  * <p><b>Rooms.</b> This package holds what callers use, and the two methods that wire the rooms: {@code flow.motion}
  * (how things move), {@code flow.fit} (the motion under which events are sharpest), {@code flow.search} (new
- * structures), {@code flow.track} (structures that are tracked), {@code flow.paper} (the published method). The rooms
- * are no part of the API: they may change with any version, and nothing outside of {@code flow} uses them.
+ * structures), {@code flow.track} (structures that are tracked), {@code flow.smooth} (labels that know what comes after
+ * an event), {@code flow.paper} (the published method). The rooms are no part of the API: they may change with any
+ * version, and nothing outside of {@code flow} uses them.
  *
  * <p><b>Terms.</b> An event is projected along a velocity to where it would have been at a reference time
  * ({@link io.github.sofas.flow.motion.Projection}). An accumulator sums the events, ON +1 and OFF -1, on each cell of a
