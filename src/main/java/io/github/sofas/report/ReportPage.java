@@ -315,7 +315,7 @@ final class ReportPage {
             p("SOFAS " + summary.version() + ", method " + summary.method()
                 + (summary.preset().isEmpty() ? "" : ", preset " + summary.preset())),
             details(summary("All parameters"), table(each(summary.parameters(), (name, value) ->
-                tr(td("--" + name), td(value.toString()))))));
+                tr(td(name), td(value.toString()))))));
     }
 
     private static String resource(String name) {

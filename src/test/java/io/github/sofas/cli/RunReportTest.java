@@ -53,7 +53,7 @@ public class RunReportTest {
         assertEquals(List.of("Life lines", "Table"), all("<h3>([^<]*)</h3>", page));
         assertEquals("rate, share, speed, direction, life lines", 5, all("(<svg class=\"plot)", page).size());
         assertEquals(1, all("(<svg class=\"polar\")", page).size());
-        assertTrue(page.contains("<td>--lifetime-px</td>"));
+        assertTrue(page.contains("<td>lifetime-px</td><td>5.0</td>"));
     }
 
     @Test
