@@ -88,7 +88,7 @@ public final class Sofas implements EventLabeller {
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
      * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 19 for each of the newest 2
      * to 4 events per pixel, at most 2^20; 9 bytes per pixel; three times 8 bytes for each cell of a grid that motion
-     * is measured on, and for 8,192 more, and 49 for each of 16,384 events; and for each track plane 4 bytes for each
+     * is measured on, and for 8,192 more, and 72 for each of 16,384 events; and for each track plane 4 bytes for each
      * of (w + 48) (h + 48) cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 18 for each of its 16,384
      * live events at most, and 41,000 for the places that it was at and what it looked like there.
      *
