@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.IntPredicate;
 
 /**
@@ -21,40 +22,15 @@ import java.util.function.IntPredicate;
  */
 enum RealExperiments {
     /** A pan whose velocity is known from the camera's gyro. */
-    BOXES("boxes-translation.aedat") {
-        @Override
-        RealExperiment on(Path file) throws EventSourceException {
-            return boxes(LabelledRecording.of(file, null));
-        }
-    },
+    BOXES("boxes-translation.aedat", null, RealExperiments::boxes),
     /** Three cars. */
-    CARS("cars.aedat") {
-        @Override
-        RealExperiment on(Path file) throws EventSourceException {
-            return cars(LabelledRecording.of(file, null));
-        }
-    },
+    CARS("cars.aedat", null, RealExperiments::cars),
     /** Two rows of stripes. */
-    STRIPES("stripes.aedat") {
-        @Override
-        RealExperiment on(Path file) throws EventSourceException {
-            return stripes(LabelledRecording.of(file, null));
-        }
-    },
+    STRIPES("stripes.aedat", null, RealExperiments::stripes),
     /** A ball on a pendulum. */
-    PENDULUM_BALL("pendulum-ball.aedat") {
-        @Override
-        RealExperiment on(Path file) throws EventSourceException {
-            return pendulumBall(LabelledRecording.of(file, null));
-        }
-    },
+    PENDULUM_BALL("pendulum-ball.aedat", null, RealExperiments::pendulumBall),
     /** A square outline that a program drew. */
-    SQUARE("synthetic-square.aedat") {
-        @Override
-        RealExperiment on(Path file) throws EventSourceException {
-            return square(LabelledRecording.of(file, "DAVIS240C"));
-        }
-    };
+    SQUARE("synthetic-square.aedat", "DAVIS240C", RealExperiments::square);
 
     private static final IntPredicate ALL = i -> true;
     private static final String TIME = "time, s";
@@ -87,9 +63,14 @@ enum RealExperiments {
     private static final int LOWER_ROWS_START = 73;
 
     private final String fileName;
+    private final String chip;
+    private final Function<LabelledRecording, RealExperiment> experiment;
 
-    RealExperiments(String fileName) {
+    /** Makes one of a file; the chip is null where the recording names it. */
+    RealExperiments(String fileName, String chip, Function<LabelledRecording, RealExperiment> experiment) {
         this.fileName = fileName;
+        this.chip = chip;
+        this.experiment = experiment;
     }
 
     /** A car at a time, and its velocity. */
@@ -116,7 +97,9 @@ enum RealExperiments {
     }
 
     /** Runs every method on the recording. */
-    abstract RealExperiment on(Path file) throws EventSourceException;
+    RealExperiment on(Path file) throws EventSourceException {
+        return experiment.apply(LabelledRecording.of(file, chip));
+    }
 
     private static RealExperiment boxes(LabelledRecording recording) {
         List<String> header = new ArrayList<>(List.of("", "with flow"));
