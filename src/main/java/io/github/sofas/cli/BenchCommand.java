@@ -104,8 +104,9 @@ final class BenchCommand implements Callable<Integer> {
                 all.add(folder -> BuiltInScenes.film(name, folder));
             }
         }
-        new OutputFiles(spec.commandLine()).check(arguments.stream().map(Path::of).toList(),
-            Collections.singletonList(plot));
+        OutputFiles outputs = new OutputFiles(spec.commandLine());
+        outputs.check(arguments.stream().map(Path::of).toList(), Collections.singletonList(plot));
+        outputs.checkPlaces(Collections.singletonList(plot));
         PrintWriter out = spec.commandLine().getOut();
         Machine machine = Machine.here();
         if (!asJson) {

@@ -113,8 +113,7 @@ final class EvaluateCommand implements Callable<Integer> {
         } catch (EventSourceException | TruthException | ResultLabels.MismatchException e) {
             err.println(e.getMessage());
         } catch (IOException e) {
-            err.println((truth == null ? "" : "[" + truth.getFileName() + "] truth cannot be read or ")
-                + "results cannot be written: " + e);
+            err.println("[" + truth + "] truth cannot be read: " + FileFailure.text(e));
         }
         return Main.FAILED;
     }
@@ -134,8 +133,7 @@ final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    private EventSourceException measure(Path recording, RecordingReader reader, MethodChoice method)
-            throws IOException {
+    private EventSourceException measure(Path recording, RecordingReader reader, MethodChoice method) {
         SharpnessRun run;
         try (RunProgress progress = progress(recording); OpenLabelling open = method.open(reader.sensor())) {
             run = SharpnessRun.of(reader, watched(open, reader, progress));
@@ -191,6 +189,7 @@ final class EvaluateCommand implements Callable<Integer> {
         OutputFiles outputs = new OutputFiles(spec.commandLine());
         List<Path> files = Arrays.asList(json, csv);
         outputs.check(Arrays.asList(recording, truth, results, parameterOptions.config()), files);
+        outputs.checkPlaces(files);
         if (!force) {
             outputs.refuseExisting(files);
         }
@@ -205,7 +204,7 @@ final class EvaluateCommand implements Callable<Integer> {
         void writeTo(OutputStream out) throws IOException;
     }
 
-    private void write(Form asJson, Form asCsv) throws IOException {
+    private void write(Form asJson, Form asCsv) {
         try (ResultFiles results = new ResultFiles(force)) {
             if (json != null) {
                 try (OutputStream file = results.create(json)) {
@@ -218,6 +217,8 @@ final class EvaluateCommand implements Callable<Integer> {
                 }
             }
             results.commit();
+        } catch (IOException e) {
+            throw new FailureException("figures cannot be written: " + FileFailure.text(e), e);
         }
     }
 }

@@ -68,6 +68,25 @@ final class OutputFiles {
     }
 
     /**
+     * Checks that files can be where they are to be, for a command that makes no folder.
+     *
+     * @param outputs may hold null for what was not asked for
+     * @throws ParameterException where a folder is not there, or one is in place of the file
+     */
+    void checkPlaces(List<Path> outputs) {
+        for (Path output : outputs) {
+            if (output != null && Files.isDirectory(output)) {
+                throw new ParameterException(command, "[" + output + "] is a directory and cannot be written");
+            }
+            Path parent = output == null ? null : output.getParent();
+            if (parent != null && !Files.isDirectory(parent)) {
+                throw new ParameterException(command, "[" + output + "] cannot be written: there is no directory "
+                    + parent);
+            }
+        }
+    }
+
+    /**
      * Checks that no output exists.
      *
      * @throws ParameterException where one does

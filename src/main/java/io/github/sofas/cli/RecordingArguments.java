@@ -63,6 +63,10 @@ final class RecordingArguments {
     }
 
     private static List<Path> expand(String argument) {
+        if (argument.isEmpty()) {
+            // of a variable of the shell that is not set, and not the directory that the shell is in
+            throw new IllegalArgumentException("a recording must be a file, a directory or a pattern but was empty");
+        }
         Path path;
         try {
             path = Path.of(argument);

@@ -231,4 +231,20 @@ public class EvaluateCommandTest {
         assertError(1, "[mine.csv] line 41: must be event 39 of the recording (t_us 39000, x 59, y 64, polarity 1) but "
             + "the file ends", "--results", results.toString());
     }
+
+    @Test
+    public void refusesAFileInAFolderThatIsNotThereBeforeAnythingIsMeasured() {
+        Path nowhere = folder.getRoot().toPath().resolve("nowhere");
+        assertError(2, "[" + nowhere.resolve("f.json") + "] cannot be written: there is no directory " + nowhere,
+            "--json", nowhere.resolve("f.json").toString());
+        err.getBuffer().setLength(0);
+        Path file = truth.resolve("f.csv");
+        assertError(2, "[" + file + "] cannot be written: there is no directory " + truth, "--csv", file.toString());
+    }
+
+    @Test
+    public void refusesADirectoryInPlaceOfAFile() {
+        assertError(2, "[" + folder.getRoot() + "] is a directory and cannot be written", "--force", "--json",
+            folder.getRoot().toString());
+    }
 }

@@ -472,6 +472,11 @@ public class RunCommandTest {
     }
 
     @Test
+    public void refusesAnEmptyNameInPlaceOfARecording() {
+        assertUsage("a recording must be a file, a directory or a pattern but was empty", "");
+    }
+
+    @Test
     public void refusesAFileForAFolder() throws IOException {
         Path file = Files.writeString(root.resolve("file"), "");
         Executed run = runTo(file, HEXAGON);
