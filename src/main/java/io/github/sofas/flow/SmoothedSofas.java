@@ -5,15 +5,8 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.smooth.SliceClock;
 import io.github.sofas.flow.smooth.Smoother;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Consumer;
 
 /**
@@ -57,34 +50,9 @@ public final class SmoothedSofas implements Labelling {
     private CausalBatch found;
     // of the second
     private final Smoother smoother;
-    private final Consumer<Segment> ended;
+    private final SmoothedSegments segments;
     /** Hands the first step's results to the second where both are one. */
     private final CausalBatch own = new CausalBatch();
-    /** Segments of which the engine has told, and not that they ended. */
-    private final Set<Integer> living = new TreeSet<>();
-    /** What ended last of each label, which may have events still. */
-    private final Map<Integer, Segment> ending = new LinkedHashMap<>();
-    private final Map<Integer, Tally> tallies = new HashMap<>();
-
-    /** What was given back of a segment. */
-    private static final class Tally {
-        private long firstUs = Long.MAX_VALUE;
-        private long lastUs = Long.MIN_VALUE;
-        private long events;
-
-        void add(Tally other) {
-            firstUs = Math.min(firstUs, other.firstUs);
-            lastUs = Math.max(lastUs, other.lastUs);
-            events += other.events;
-        }
-
-        Segment tell(Segment causal, int label, int mergedInto) {
-            return new Segment(label, events == 0 ? causal.firstTimeUs() : firstUs,
-                events == 0 ? causal.lastTimeUs() : lastUs, events, causal.vxPxPerS(), causal.vyPxPerS(),
-                causal.turnRadPerS(), causal.growthPerS(), causal.minX(), causal.minY(), causal.maxX(), causal.maxY(),
-                causal.fate(), mergedInto);
-        }
-    }
 
     /**
      * Makes an engine with look-ahead.
@@ -118,10 +86,10 @@ public final class SmoothedSofas implements Labelling {
             throw new IllegalArgumentException("lookAheadUs must be " + MIN_LOOK_AHEAD_US + " to " + MAX_LOOK_AHEAD_US
                 + " but was " + lookAheadUs);
         }
-        this.ended = Objects.requireNonNull(ended, "ended");
         smoother = new Smoother(sensor, parameters.track(), lookAheadUs);
+        segments = new SmoothedSegments(smoother, Objects.requireNonNull(ended, "ended"));
         clock = new SliceClock(lookAheadUs);
-        sofas = new Sofas(sensor, parameters, segment -> found.add(() -> end(segment)), this::find);
+        sofas = new Sofas(sensor, parameters, segment -> found.add(() -> segments.end(segment)), this::find);
     }
 
     /**
@@ -190,7 +158,7 @@ public final class SmoothedSofas implements Labelling {
         Motion measured = new Motion();
         measured.copyFrom(motion);
         found.add(() -> {
-            living.add(segment);
+            segments.begin(segment);
             smoother.add(segment, measured);
         });
     }
@@ -218,81 +186,8 @@ public final class SmoothedSofas implements Labelling {
     @Override
     public boolean next(EventBatch batch, FlowOutput flow) {
         boolean given = smoother.take(batch, flow);
-        Tally tally = null;
-        int tallied = 0;
-        for (int i = 0; i < batch.size(); i++) {
-            if (flow.segment[i] != 0) {
-                if (flow.segment[i] != tallied) {
-                    tallied = flow.segment[i];
-                    tally = tallies.computeIfAbsent(tallied, id -> new Tally());
-                }
-                tally.firstUs = Math.min(tally.firstUs, batch.timeUs[i]);
-                tally.lastUs = Math.max(tally.lastUs, batch.timeUs[i]);
-                tally.events++;
-            }
-        }
-        tellOfEnded();
+        segments.give(batch, flow);
         return given;
-    }
-
-    private void end(Segment segment) {
-        living.remove(segment.id());
-        if (!smoother.end(segment.id())) {
-            return;
-        }
-        int label = smoother.label(segment.id());
-        if (segment.fate() != Segment.Fate.MERGED || smoother.merge(segment.id(), segment.mergedInto())) {
-            ending.put(label, segment);
-        }
-    }
-
-    private void tellOfEnded() {
-        boolean isAnyOver = false;
-        for (int label : List.copyOf(ending.keySet())) {
-            if (wasJoined(label)) {
-                ending.merge(smoother.label(label), ending.remove(label), SmoothedSofas::later);
-            }
-            isAnyOver |= smoother.isOver(smoother.label(label)) || smoother.isOver(label);
-        }
-        if (!isAnyOver) {
-            return;
-        }
-        Set<Integer> alive = new HashSet<>();
-        for (int segment : living) {
-            if (!smoother.isLeft(segment)) {
-                alive.add(smoother.label(segment));
-            }
-        }
-        // what merged first: its events count for what it merged into, which may be over, too
-        tellOfEnded(true, alive);
-        tellOfEnded(false, alive);
-    }
-
-    private void tellOfEnded(boolean merged, Set<Integer> alive) {
-        for (Map.Entry<Integer, Segment> next : List.copyOf(ending.entrySet())) {
-            int label = next.getKey();
-            Segment segment = next.getValue();
-            boolean isMerged = segment.fate() == Segment.Fate.MERGED;
-            if (isMerged == merged && smoother.isOver(label) && !alive.contains(label)) {
-                ending.remove(label);
-                Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
-                Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
-                if (isMerged) {
-                    tallies.computeIfAbsent(told.mergedInto(), id -> new Tally()).add(own);
-                }
-                ended.accept(told);
-                smoother.forget(label);
-            }
-        }
-    }
-
-    /** Whether the events of a label that has ended go by another one. */
-    private boolean wasJoined(int label) {
-        return ending.get(label).fate() != Segment.Fate.MERGED && smoother.label(label) != label;
-    }
-
-    private static Segment later(Segment a, Segment b) {
-        return a.lastTimeUs() >= b.lastTimeUs() ? a : b;
     }
 
     /**
@@ -301,17 +196,7 @@ public final class SmoothedSofas implements Labelling {
      */
     @Override
     public List<Segment> segments() {
-        Map<Integer, Segment> newest = new LinkedHashMap<>();
-        for (Segment segment : sofas.segments()) {
-            if (smoother.isLeft(segment.id())) {
-                continue;
-            }
-            newest.merge(smoother.label(segment.id()), segment, SmoothedSofas::later);
-        }
-        List<Segment> segments = new ArrayList<>();
-        newest.forEach((label, segment) ->
-            segments.add(tallies.getOrDefault(label, new Tally()).tell(segment, label, 0)));
-        return segments;
+        return segments.living(sofas.segments());
     }
 
     /** {@return how many events lay outside the sensor} */

@@ -1,0 +1,155 @@
+package io.github.sofas.flow;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.flow.smooth.Smoother;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+
+/**
+ * Segments as look-ahead has them: under their labels, with the events that were given back of them; the end of one is
+ * told once all of its events were given.
+ */
+final class SmoothedSegments {
+    private final Smoother smoother;
+    private final Consumer<Segment> ended;
+    /** Segments of which the engine has told, and not that they ended. */
+    private final Set<Integer> living = new TreeSet<>();
+    /** What ended last of each label, which may have events still. */
+    private final Map<Integer, Segment> ending = new LinkedHashMap<>();
+    private final Map<Integer, Tally> tallies = new HashMap<>();
+
+    /** What was given back of a segment. */
+    private static final class Tally {
+        private long firstUs = Long.MAX_VALUE;
+        private long lastUs = Long.MIN_VALUE;
+        private long events;
+
+        void add(long timeUs) {
+            firstUs = Math.min(firstUs, timeUs);
+            lastUs = Math.max(lastUs, timeUs);
+            events++;
+        }
+
+        void add(Tally other) {
+            firstUs = Math.min(firstUs, other.firstUs);
+            lastUs = Math.max(lastUs, other.lastUs);
+            events += other.events;
+        }
+
+        Segment tell(Segment causal, int label, int mergedInto) {
+            return new Segment(label, events == 0 ? causal.firstTimeUs() : firstUs,
+                events == 0 ? causal.lastTimeUs() : lastUs, events, causal.vxPxPerS(), causal.vyPxPerS(),
+                causal.turnRadPerS(), causal.growthPerS(), causal.minX(), causal.minY(), causal.maxX(), causal.maxY(),
+                causal.fate(), mergedInto);
+        }
+    }
+
+    /** Makes it without segments; ended gets each that ended. */
+    SmoothedSegments(Smoother smoother, Consumer<Segment> ended) {
+        this.smoother = smoother;
+        this.ended = ended;
+    }
+
+    /** Notes that the engine has measured a segment. */
+    void begin(int segment) {
+        living.add(segment);
+    }
+
+    /** Notes that the engine has ended a segment. */
+    void end(Segment segment) {
+        living.remove(segment.id());
+        if (!smoother.end(segment.id())) {
+            return;
+        }
+        int label = smoother.label(segment.id());
+        if (segment.fate() != Segment.Fate.MERGED || smoother.merge(segment.id(), segment.mergedInto())) {
+            ending.put(label, segment);
+        }
+    }
+
+    /** Counts events that are given back, and tells of what is over by then. */
+    void give(EventBatch batch, FlowOutput flow) {
+        Tally tally = null;
+        int tallied = 0;
+        for (int i = 0; i < batch.size(); i++) {
+            if (flow.segment[i] != 0) {
+                if (flow.segment[i] != tallied) {
+                    tallied = flow.segment[i];
+                    tally = tallies.computeIfAbsent(tallied, id -> new Tally());
+                }
+                tally.add(batch.timeUs[i]);
+            }
+        }
+        tellOfEnded();
+    }
+
+    private void tellOfEnded() {
+        boolean isAnyOver = false;
+        for (int label : List.copyOf(ending.keySet())) {
+            if (wasJoined(label)) {
+                ending.merge(smoother.label(label), ending.remove(label), SmoothedSegments::later);
+            }
+            isAnyOver |= smoother.isOver(smoother.label(label)) || smoother.isOver(label);
+        }
+        if (!isAnyOver) {
+            return;
+        }
+        Set<Integer> alive = new HashSet<>();
+        for (int segment : living) {
+            if (!smoother.isLeft(segment)) {
+                alive.add(smoother.label(segment));
+            }
+        }
+        // what merged first: its events count for what it merged into, which may be over, too
+        tellOfEnded(true, alive);
+        tellOfEnded(false, alive);
+    }
+
+    private void tellOfEnded(boolean merged, Set<Integer> alive) {
+        for (Map.Entry<Integer, Segment> next : List.copyOf(ending.entrySet())) {
+            int label = next.getKey();
+            Segment segment = next.getValue();
+            boolean isMerged = segment.fate() == Segment.Fate.MERGED;
+            if (isMerged == merged && smoother.isOver(label) && !alive.contains(label)) {
+                ending.remove(label);
+                Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
+                Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
+                if (isMerged) {
+                    tallies.computeIfAbsent(told.mergedInto(), id -> new Tally()).add(own);
+                }
+                ended.accept(told);
+                smoother.forget(label);
+            }
+        }
+    }
+
+    /** Whether the events of a label that has ended go by another one. */
+    private boolean wasJoined(int label) {
+        return ending.get(label).fate() != Segment.Fate.MERGED && smoother.label(label) != label;
+    }
+
+    private static Segment later(Segment a, Segment b) {
+        return a.lastTimeUs() >= b.lastTimeUs() ? a : b;
+    }
+
+    /** The segments that the engine tracks, as they are known here. */
+    List<Segment> living(List<Segment> tracked) {
+        Map<Integer, Segment> newest = new LinkedHashMap<>();
+        for (Segment segment : tracked) {
+            if (!smoother.isLeft(segment.id())) {
+                newest.merge(smoother.label(segment.id()), segment, SmoothedSegments::later);
+            }
+        }
+        List<Segment> segments = new ArrayList<>();
+        newest.forEach((label, segment) ->
+            segments.add(tallies.getOrDefault(label, new Tally()).tell(segment, label, 0)));
+        return segments;
+    }
+}
