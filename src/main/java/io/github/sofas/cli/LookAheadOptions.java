@@ -31,7 +31,7 @@ final class LookAheadOptions {
     private Integer lookAheadMs;
 
     @Option(names = "--causal", description = "Label each event by what came before it only, as a camera gets its "
-        + "labels, in a half to a third of the processor time.")
+        + "labels, in a third to nine tenths of the processor time.")
     private boolean causal;
 
     /** Whether there is to be a look-ahead. */

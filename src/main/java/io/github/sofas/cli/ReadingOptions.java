@@ -21,8 +21,8 @@ final class ReadingOptions {
     private CommandSpec command;
 
     @Option(names = "--chip", paramLabel = "CHIP",
-        description = "Sensor of recordings that do not name one, such as DVS128 or DAVIS240C; for text and AEDAT 3 "
-        + "and 4 also a size such as 640x480.")
+        description = "Sensor of recordings that do not name one, such as DVS128 or DAVIS240C; in all formats but "
+        + "AEDAT 1 and 2 also a size such as 640x480.")
     private String chip;
 
     @Option(names = "--force-chip",

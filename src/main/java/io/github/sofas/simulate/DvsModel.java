@@ -30,6 +30,7 @@ public record DvsModel(double onThreshold, double offThreshold, double mismatchS
      * @param noiseHzPerPx background activity in events per s and pixel, of random polarity
      * @param hotPixels how many pixels fire by themselves
      * @param hotPixelHz how often each of those fires, in Hz, always ON
+     * @throws IllegalArgumentException where one is out of range
      */
     public DvsModel {
         requireAbove("onThreshold", onThreshold);

@@ -77,6 +77,7 @@ public final class SimulatedSource implements EventSource {
      * @param scene what is filmed
      * @param options how it is filmed
      * @param passes how often, at least 1; Long.MAX_VALUE for a source without end
+     * @throws IllegalArgumentException where that is less
      */
     public SimulatedSource(Scene scene, SimulationOptions options, long passes) {
         this(scene.compose(options), options, passes);
@@ -222,6 +223,7 @@ public final class SimulatedSource implements EventSource {
      * @param batch gets the events
      * @param truth at least as large as the batch, or null where it does not matter
      * @return false at the end, with the batch left empty
+     * @throws IllegalArgumentException where the truth is smaller than the batch
      */
     public boolean next(EventBatch batch, Truth truth) {
         if (truth != null && truth.capacity() < batch.capacity()) {

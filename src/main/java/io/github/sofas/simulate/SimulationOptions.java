@@ -59,6 +59,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
      * @param seed of everything that is random
      * @param dvs the pixels
+     * @throws IllegalArgumentException where one is out of range
      */
     public SimulationOptions {
         Objects.requireNonNull(sensor, "sensor");
