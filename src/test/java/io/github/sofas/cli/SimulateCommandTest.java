@@ -133,7 +133,7 @@ public class SimulateCommandTest {
 
     @Test
     public void refusesWordsForNumbers() {
-        assertUsage("Invalid value for option '--duration': 'long' is not a double", "hexagon", "--duration", "long");
+        assertUsage("--duration must be a number but was \"long\"", "hexagon", "--duration", "long");
     }
 
     @Test
