@@ -9,6 +9,8 @@ final class FlowPlaneEvents implements NumberedEvents {
     static final int MOST_HELD = 1 << 20;
     private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES;
 
+    private static final int WORD_BITS = 6;
+
     // by number, modulo the capacity
     private long[] timeUs = new long[1 << 14];
     private short[] x = new short[1 << 14];
@@ -16,6 +18,8 @@ final class FlowPlaneEvents implements NumberedEvents {
     private byte[] sign = new byte[1 << 14];
     /** Rings that the event was taken out of, a bit each. */
     private int[] takenOut = new int[1 << 14];
+    /** Events that were taken out of no ring, a bit each. */
+    private long[] left = new long[1 << 14 - WORD_BITS];
     /** Rings in which the event was looked at in vain, a bit each. */
     private int[] refused = new int[1 << 14];
     private int mask = timeUs.length - 1;
@@ -26,7 +30,7 @@ final class FlowPlaneEvents implements NumberedEvents {
 
     /** The most bytes that its arrays take. */
     static long mostBytes() {
-        return (long) EVENT_BYTES * MOST_HELD;
+        return (long) EVENT_BYTES * MOST_HELD + MOST_HELD / Byte.SIZE;
     }
 
     /** Adds an event; no more than {@link #MOST_HELD} may be held. */
@@ -40,6 +44,7 @@ final class FlowPlaneEvents implements NumberedEvents {
         y[i] = (short) eventY;
         sign[i] = (byte) polarity;
         takenOut[i] = 0;
+        left[i >> WORD_BITS] |= 1L << i;
         refused[i] = 0;
     }
 
@@ -51,6 +56,7 @@ final class FlowPlaneEvents implements NumberedEvents {
         byte[] newSign = new byte[capacity];
         int[] newTakenOut = new int[capacity];
         int[] newRefused = new int[capacity];
+        long[] newLeft = new long[capacity >> WORD_BITS];
         for (int i = kept; i != head; i++) {
             int from = i & mask;
             int to = i & capacity - 1;
@@ -60,6 +66,7 @@ final class FlowPlaneEvents implements NumberedEvents {
             newSign[to] = sign[from];
             newTakenOut[to] = takenOut[from];
             newRefused[to] = refused[from];
+            newLeft[to >> WORD_BITS] |= takenOut[from] == 0 ? 1L << to : 0;
         }
         timeUs = newUs;
         x = newX;
@@ -67,6 +74,7 @@ final class FlowPlaneEvents implements NumberedEvents {
         sign = newSign;
         takenOut = newTakenOut;
         refused = newRefused;
+        left = newLeft;
         mask = capacity - 1;
     }
 
@@ -112,6 +120,7 @@ final class FlowPlaneEvents implements NumberedEvents {
     /** Notes that an event was taken out of a ring. */
     void takeOut(int ring, int event) {
         takenOut[event & mask] |= 1 << ring;
+        left[(event & mask) >> WORD_BITS] &= ~(1L << event);
     }
 
     boolean isTakenOut(int ring, int event) {
@@ -121,6 +130,17 @@ final class FlowPlaneEvents implements NumberedEvents {
     /** Whether the event was taken out of any ring. */
     boolean isTakenOut(int event) {
         return takenOut[event & mask] != 0;
+    }
+
+    /** Number of the first event from one on that was taken out of no ring; of a later one where there is none. */
+    int left(int event) {
+        int e = event;
+        long word = left[(e & mask) >> WORD_BITS] >>> e;
+        while (word == 0 && head - e > 0) {
+            e = (e | Long.SIZE - 1) + 1;
+            word = left[(e & mask) >> WORD_BITS];
+        }
+        return e + Long.numberOfTrailingZeros(word);
     }
 
     /** Notes that an event was looked at in vain, in a ring. */

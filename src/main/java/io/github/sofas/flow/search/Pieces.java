@@ -189,15 +189,17 @@ final class Pieces {
         }
         Arrays.fill(starts, 0, pieces + 2, 0);
         int ring = k / n;
-        int held = plane.end(ring) - plane.oldest(ring);
+        int to = plane.end(ring);
+        int held = to - plane.oldest(ring);
         if (events.length < held) {
             events = new int[2 * held];
             pieceOf = new int[2 * held];
         }
-        for (int i = 0; i < held; i++) {
-            int e = plane.oldest(ring) + i;
-            pieceOf[i] = plane.events().isTakenOut(e) ? 0 : label[plane.cell(k, e)];
-            starts[pieceOf[i]]++;
+        FlowPlaneEvents of = plane.events();
+        int found = 0;
+        for (int e = of.left(plane.oldest(ring)); e - to < 0; e = of.left(e + 1)) {
+            pieceOf[found] = label[plane.cell(k, e)];
+            starts[pieceOf[found++]]++;
         }
         int end = 0;
         for (int piece = 0; piece <= pieces + 1; piece++) {
@@ -205,8 +207,9 @@ final class Pieces {
             starts[piece] = end;
             end += its;
         }
-        for (int i = 0; i < held; i++) {
-            events[starts[pieceOf[i]]++] = plane.oldest(ring) + i;
+        found = 0;
+        for (int e = of.left(plane.oldest(ring)); e - to < 0; e = of.left(e + 1)) {
+            events[starts[pieceOf[found++]]++] = e;
         }
         // each start moved to the next one's
         System.arraycopy(starts, 0, starts, 1, pieces + 1);

@@ -52,6 +52,22 @@ public class FlowPlaneEventsTest {
     }
 
     @Test
+    public void eventsThatWereTakenOutOfAnyRingArePassedOver() {
+        add(0, 10_000);
+        events.takeOut(3, 0);
+        for (int e = 100; e < 400; e++) {
+            events.takeOut(e % 9, e);
+        }
+        add(10_000, 40_000);
+        assertEquals(1, events.left(0));
+        assertEquals(99, events.left(99));
+        assertEquals(400, events.left(100));
+        assertEquals(400, events.left(399));
+        assertEquals(401, events.left(401));
+        assertTrue("none is left", events.left(40_000) >= 40_000);
+    }
+
+    @Test
     public void newEventHasNoMarkOfTheOneInWhosePlaceItIs() {
         add(0, 16_384);
         events.takeOut(0, 5);
@@ -61,6 +77,7 @@ public class FlowPlaneEventsTest {
         // 16,389 lies where 5 was
         assertFalse(events.isTakenOut(16_389));
         assertFalse(events.wasRefused(0, 16_389));
+        assertEquals(16_389, events.left(16_389));
         assertHeld(100, 16_400);
     }
 
