@@ -4,12 +4,14 @@ import java.util.ArrayDeque;
 
 /**
  * Which structures of texture are due to look around themselves again for what moves alike: each once in a few px of
- * travel. Ours, because what is found early has not shown all of itself yet, and what enters the picture later is of it
- * too.
+ * travel, at first more often. Ours, because what is found early has not shown all of itself yet, and what enters the
+ * picture later is of it too.
  */
 final class SpreadingTextures {
-    /** Travel between two looks around, in px. */
-    private static final double EVERY_PX = 1;
+    /** Travel between two looks around, in px: of so many first ones, and of those that follow. */
+    private static final double FIRST_EVERY_PX = 1;
+    private static final int FIRST = 4;
+    private static final double EVERY_PX = 2;
     /** Speed below which a structure stands, and shows nothing around itself, in px/s. */
     private static final double LEAST_PX_PER_S = 1;
 
@@ -20,6 +22,8 @@ final class SpreadingTextures {
     private static final class Spreading {
         private final Structures.Structure structure;
         private long dueUs;
+        /** Looks that it was to wait for so far. */
+        private int waits;
 
         Spreading(Structures.Structure structure) {
             this.structure = structure;
@@ -34,7 +38,8 @@ final class SpreadingTextures {
 
     private void wait(Spreading of, long nowUs) {
         double speed = Math.max(LEAST_PX_PER_S, of.structure.speed());
-        of.dueUs = nowUs + (long) (EVERY_PX / speed * 1e6);
+        double everyPx = of.waits++ < FIRST ? FIRST_EVERY_PX : EVERY_PX;
+        of.dueUs = nowUs + (long) (everyPx / speed * 1e6);
         nextUs = Math.min(nextUs, of.dueUs);
     }
 

@@ -38,6 +38,19 @@ public class SpreadingTexturesTest {
     }
 
     @Test
+    public void structureIsDueOnceInTwoPixelsOnceItHasLookedFourTimes() {
+        Moving texture = new Moving(100);
+        textures.add(texture, 0);
+        for (int look = 1; look <= 4; look++) {
+            assertSame(texture, textures.due(10_000 * look));
+        }
+        assertNull(textures.due(59_999));
+        assertSame(texture, textures.due(60_000));
+        assertNull(textures.due(79_999));
+        assertSame(texture, textures.due(80_000));
+    }
+
+    @Test
     public void eachStructureIsDueInItsOwnTime() {
         Moving slow = new Moving(50);
         Moving fast = new Moving(200);
