@@ -155,8 +155,9 @@ final class ExperimentsCommand implements Callable<Integer> {
                 known.write(translations);
             }
             return failures.isEmpty() ? Main.OK : Main.FAILED;
-        } catch (IOException | NumberFormatException e) {
-            err.println("[" + (translations == null ? recordings : translations) + "] cannot be read or written: " + e);
+        } catch (IOException e) {
+            err.println("[" + (translations == null ? recordings : translations) + "] cannot be read or written: "
+                + FileFailure.text(e));
             return Main.FAILED;
         }
     }

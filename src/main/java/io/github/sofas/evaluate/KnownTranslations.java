@@ -5,12 +5,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Best single translations of windows that were searched before: the search takes most of the time that sharpness
  * takes, and depends on the events alone. Several threads may use one.
  */
 public final class KnownTranslations {
+    private static final String NUMBER = "(-?\\d+(?:\\.\\d+)?(?:E-?\\d+)?)";
+    /** Window and velocity; the name of the recording may have commas. */
+    private static final Pattern LINE = Pattern.compile("(.*,-?\\d+,-?\\d+,\\d+)," + NUMBER + "," + NUMBER);
     private static final String HEADER = "recording,from_us,until_us,events,vx_px_per_s,vy_px_per_s";
 
     private final Map<String, double[]> velocities = new TreeMap<>();
@@ -26,15 +31,18 @@ public final class KnownTranslations {
         KnownTranslations known = new KnownTranslations();
         if (Files.exists(file)) {
             for (String line : Files.readAllLines(file)) {
-                int vy = line.lastIndexOf(',');
-                int vx = line.lastIndexOf(',', vy - 1);
-                if (vx > 0 && !line.equals(HEADER)) {
-                    known.velocities.put(line.substring(0, vx), new double[] {
-                        Double.parseDouble(line.substring(vx + 1, vy)), Double.parseDouble(line.substring(vy + 1))});
-                }
+                known.add(line);
             }
         }
         return known;
+    }
+
+    private void add(String line) {
+        Matcher parts = LINE.matcher(line);
+        if (parts.matches()) {
+            velocities.put(parts.group(1), new double[] {Double.parseDouble(parts.group(2)),
+                Double.parseDouble(parts.group(3))});
+        }
     }
 
     /**
