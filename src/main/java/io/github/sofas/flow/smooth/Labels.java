@@ -15,6 +15,8 @@ final class Labels {
     private final Map<Integer, Integer> labels = new HashMap<>();
     /** Segments of the engine that were known again in another one, and live on as what is left of them. */
     private final Set<Integer> left = new HashSet<>();
+    /** Those of them that are all of it again. */
+    private final Set<Integer> resumed = new HashSet<>();
     /** Segments that the engine ended. */
     private final Set<Integer> ended = new HashSet<>();
     /** The label that each goes on as that has ended. */
@@ -94,13 +96,16 @@ final class Labels {
             return false;
         }
         ended.add(segment);
+        resumed.remove(segment);
         int newest = 0;
         for (int other : left) {
             if (path(other) == path(segment)) {
                 newest = Math.max(newest, other);
             }
         }
-        resume(newest);
+        if (newest != 0) {
+            resume(newest);
+        }
         return true;
     }
 
@@ -111,7 +116,19 @@ final class Labels {
 
     /** Notes that what was left of a segment is all of it again. */
     void resume(int segment) {
-        left.remove(segment);
+        if (left.remove(segment)) {
+            resumed.add(segment);
+        }
+    }
+
+    /** Whether what was left of a segment is all of what has a path, and may get events on it. */
+    boolean isResumed(int path) {
+        for (int segment : resumed) {
+            if (path(segment) == path) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Notes that events got a label for good. */
@@ -127,6 +144,7 @@ final class Labels {
     /** Lets a label go that no event gets any more. */
     void forget(int label) {
         ended.removeIf(segment -> ofPath(path(segment)) == label);
+        resumed.removeIf(segment -> ofPath(path(segment)) == label);
         paths.values().removeIf(path -> ofPath(path) == label);
         labels.values().removeIf(each -> each == label);
         ends.remove(label);

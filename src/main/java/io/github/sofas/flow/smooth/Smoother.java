@@ -122,7 +122,9 @@ public final class Smoother {
         int to = label(into);
         SegmentPath piece = path(labels.path(segment));
         SegmentPath body = path(labels.path(into));
-        piece.end();
+        if (!labels.isResumed(piece.id())) {
+            piece.end();
+        }
         if (from == to) {
             return false;
         }

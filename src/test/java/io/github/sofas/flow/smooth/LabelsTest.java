@@ -58,6 +58,21 @@ public class LabelsTest {
     }
 
     @Test
+    public void whatIsAllOfItAgainMayGetEventsUntilItEnds() {
+        labels.joinPaths(9, 2);
+        assertFalse("9 is known", labels.isResumed(2));
+        labels.endSegment(9);
+        assertTrue(labels.isResumed(2));
+        assertFalse(labels.isResumed(9));
+        labels.endSegment(2);
+        assertFalse(labels.isResumed(2));
+        labels.joinPaths(8, 3);
+        labels.endSegment(8);
+        labels.forget(3);
+        assertFalse("its label is over", labels.isResumed(3));
+    }
+
+    @Test
     public void forgetsWhatIsOver() {
         labels.joinPaths(5, 1);
         labels.join(1, 2);
