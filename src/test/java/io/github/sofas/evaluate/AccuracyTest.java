@@ -103,6 +103,14 @@ public class AccuracyTest {
     }
 
     @Test
+    public void whatFiresFewEventsIsAsRight() {
+        // a thousand events a second, so that the search's lifetime of 5 px holds fifty
+        SimulationOptions faint = PLAIN.withContrast(0.4).withSpeedPxPerS(110);
+        assertReaches(Scene.SMALL_CIRCLE, faint.withDirectionDeg(148), 1.22, 0.00, 0.69, 0.00);
+        assertReaches(Scene.SMALL_CIRCLE, faint.withDirectionDeg(208), 1.47, 0.00, 0.60, 0.00);
+    }
+
+    @Test
     public void noiseAndHotPixelsGetNoFlow() {
         SimulationOptions noisy = PLAIN.withDvs(PLAIN.dvs().withNoiseHzPerPx(1).withHotPixels(20, 100));
         assertReaches(Scene.HEXAGON, noisy, 0.22, 0.00, 4.86, 0.00);

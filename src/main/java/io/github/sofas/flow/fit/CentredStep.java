@@ -52,8 +52,8 @@ public final class CentredStep {
         if (top == null) {
             fit.frame(px);
         } else {
-            fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), MetricFit.NEIGHBOUR_LOSS,
-                MetricFit.MIN_STEP_PX * px, MetricFit.MAX_STEP_PX * px);
+            fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(),
+                MetricFit.neighbourLoss(top.metric()), MetricFit.MIN_STEP_PX * px, MetricFit.MAX_STEP_PX * px);
         }
         top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
         double best = top.bestLoss();

@@ -10,6 +10,9 @@ public final class MetricFit {
     public static final double CELL_PX = 1.3;
     /** Share of the metric that neighbouring projections are to lose: an edge is sharp across and flat along. */
     public static final double NEIGHBOUR_LOSS = 0.04;
+    /** Standard deviations of the metric that they are to lose where that is more, up to a share of it. */
+    private static final double NEIGHBOUR_SIGMAS = 2.5;
+    private static final double MOST_NEIGHBOUR_LOSS = 0.4;
     /** Smallest distance of neighbouring projections over half the window: closer ones differ by noise only. */
     public static final double MIN_STEP_PX = 0.5;
     /** Greatest distance of neighbouring projections over half the window. */
@@ -120,6 +123,16 @@ public final class MetricFit {
      */
     public void frame(double ofMetric, double xx, double xy, double yy, double share, double least, double most) {
         frame.set(ofMetric, xx, xy, yy, share, least, most);
+    }
+
+    /**
+     * {@return the share of the metric that neighbours must lose to show a top} Few events lose as little by noise:
+     * were a metric of less than 2,500 asked for {@link #NEIGHBOUR_LOSS}, no step would ever be taken.
+     *
+     * @param metric of the events
+     */
+    public static double neighbourLoss(double metric) {
+        return Math.max(NEIGHBOUR_LOSS, Math.min(MOST_NEIGHBOUR_LOSS, NEIGHBOUR_SIGMAS / Math.sqrt(metric)));
     }
 
     /** Spreads the frame after a step that left it. */

@@ -10,8 +10,11 @@ import io.github.sofas.flow.motion.Motion;
  * lags: by 25 of a pendulum's 380 px/s.
  */
 public final class MotionChange {
-    /** Shift of the end of the window by a newly measured change that is half taken over at once, in px. */
+    /** Shift of the end of the window by a new change of the rotation that is half taken over at once, in px. */
     private static final double NEWS_PX = 1;
+    /** The same of a new acceleration: of many events, and what the fewness of events adds, by their number. */
+    private static final double BEND_NEWS_PX = 0.16;
+    private static final double EVENT_NEWS_PX = 300;
     /** Part of new evidence that is taken over with each measurement. */
     private static final double EVIDENCE_GAIN = 0.3;
     /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
@@ -57,6 +60,8 @@ public final class MotionChange {
     private final SeriesSlope growthSlope = new SeriesSlope();
     private final StructureTensor structure = new StructureTensor();
     private int measurements;
+    /** How clearly the acceleration along shows, in standard deviations of the metric. */
+    private double bendSigmas;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
     private double evidence;
     /** Radius of the structure when it was measured last, in px. */
@@ -72,6 +77,7 @@ public final class MotionChange {
         alpha = 0;
         growthSlope.restart();
         shownAcross = 0;
+        bendSigmas = 0;
         evidence = 0;
         radius = 0;
         measurements = 0;
@@ -97,6 +103,7 @@ public final class MotionChange {
             along = 0;
             across = 0;
             shownAcross = 0;
+            bendSigmas = 0;
             motion.ax = 0;
             motion.ay = 0;
         }
@@ -145,7 +152,7 @@ public final class MotionChange {
         if (p.rotation() && p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
             double step = fit.fitSpin(perPxOfSpin * CHANGE_PX).step();
-            alpha = taken(alpha, motion.alpha + step, perPxOfSpin);
+            alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);
             motion.alpha = believed(alpha, perPxOfSpin, turnNoisePx) * turns * sure;
         }
     }
@@ -156,8 +163,11 @@ public final class MotionChange {
         double flatness = loss.flatness();
         double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
         double h = perPx * CHANGE_PX;
-        double stepAlong = fit.fitAcceleration(axisX, axisY, h).step();
-        along = taken(along, motion.ax * axisX + motion.ay * axisY + stepAlong, perPx);
+        Parabola fitted = fit.fitAcceleration(axisX, axisY, h);
+        along = taken(along, motion.ax * axisX + motion.ay * axisY + fitted.step(), perPx,
+            noisePx(BEND_NEWS_PX, EVENT_NEWS_PX, fit.size()));
+        bendSigmas = Math.max(Math.abs(fitted.slope()), 2 * fitted.loss() * h * Math.abs(along))
+            / Math.sqrt(Math.max(1, loss.metric));
         double stepAcross = fit.fitAcceleration(-axisY, axisX, h).step();
         across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + stepAcross - across);
         // along a straight edge nothing is known, of acceleration still less than of velocity
@@ -201,10 +211,18 @@ public final class MotionChange {
         return Math.sqrt(along * along + shownAcross * shownAcross + turned * turned) * half * half / 2;
     }
 
+    /**
+     * How clearly the acceleration along the best known axis shows: what the metric falls by towards none, at the
+     * distance of the projections that measure it, in standard deviations of the metric. Noise has 0.4.
+     */
+    public double bendSigmas() {
+        return bendSigmas;
+    }
+
     /** A change with a new measurement of it: the more of that, the farther it is from what noise could be. */
-    private static double taken(double before, double measured, double perPx) {
+    private static double taken(double before, double measured, double perPx, double newsPx) {
         double px = (measured - before) / perPx;
-        double gain = CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + NEWS_PX * NEWS_PX);
+        double gain = CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + newsPx * newsPx);
         return before + gain * (measured - before);
     }
 

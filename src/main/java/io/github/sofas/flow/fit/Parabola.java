@@ -4,6 +4,7 @@ package io.github.sofas.flow.fit;
 final class Parabola {
     private double step;
     private double loss;
+    private double slope;
 
     /**
      * Lays it through the metric here and at two neighbours.
@@ -13,7 +14,8 @@ final class Parabola {
      */
     Parabola through(double less, double here, double more, double h, double floor) {
         double curvature = less + more - 2 * here;
-        step = stepTo(curvature, (more - less) / 2, floor) * h;
+        slope = (more - less) / 2;
+        step = stepTo(curvature, slope, floor) * h;
         loss = -Math.min(curvature, 0) / 2 / (h * h);
         return this;
     }
@@ -21,6 +23,11 @@ final class Parabola {
     /** Step to the top, in the unit of the parameter. */
     double step() {
         return step;
+    }
+
+    /** What the metric rises by from here to the neighbour above, of the part that a slope makes. */
+    double slope() {
+        return slope;
     }
 
     /** Loss of metric per unit squared of the parameter; 0 where nothing is known of it. */

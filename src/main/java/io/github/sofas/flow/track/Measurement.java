@@ -54,6 +54,8 @@ final class Measurement {
     private static final double SAMPLE_DENSITY = 1.5;
     /** Correction over half the window below which a velocity is steady. */
     private static final double STEADY_PX = 0.1;
+    /** Standard deviations of the metric from which a correction or an acceleration is not noise, which has half. */
+    private static final double CLEAR_SIGMAS = 0.9;
     /** Shift at the end of the window by an acceleration above which the lifetime shrinks: it soon ends. */
     private static final double MAX_BEND_PX = 0.25;
     /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
@@ -255,8 +257,8 @@ final class Measurement {
         if (count == 0) {
             fit.frame(px);
         } else {
-            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.NEIGHBOUR_LOSS, MetricFit.MIN_STEP_PX * px,
-                MetricFit.MAX_STEP_PX * px);
+            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.neighbourLoss(loss.metric),
+                MetricFit.MIN_STEP_PX * px, MetricFit.MAX_STEP_PX * px);
             fit.widen(widen);
         }
         VelocityTop top = count < LEAST_FULL || count % FULL_EVERY == 0 ? fit.fit(0, 0, MetricFit.FLAT_SIGMAS)
@@ -266,19 +268,25 @@ final class Measurement {
         loss.take(top);
         widen = top.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(motion, top, px, crossing) / px;
+        boolean moves = top.slopeSigmas() > CLEAR_SIGMAS;
         if (crossing > MAX_SHARED) {
             change.hold(motion);
         } else if (count >= 2 && moved < 1) {
             change.measure(fit, motion, loss, half, radius, p);
-            adapt(moved, change.bendPx(half));
+            adapt(moves ? moved : 0, change.bendSigmas() > CLEAR_SIGMAS ? change.bendPx(half) : 0);
         }
-        if (moved > 3 * STEADY_PX) {
+        if (moves && moved > 3 * STEADY_PX) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
         }
         count++;
     }
 
-    /** Lets the lifetime grow while the motion is steady, and shrink where it changes. */
+    /**
+     * Lets the lifetime grow while the motion is steady, and shrink where it changes.
+     *
+     * @param moved what the velocity was corrected by, in px, and bend what the acceleration shifts the ends of the
+     *     window by, as far as either is more than noise: of few events that takes a long lifetime to tell
+     */
     private void adapt(double moved, double bend) {
         if (bend > MAX_BEND_PX) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);

@@ -180,6 +180,22 @@ public class MetricFitTest {
     }
 
     @Test
+    public void neighboursOfFewEventsLoseMoreThanNoiseDoes() {
+        assertEquals(0.04, MetricFit.neighbourLoss(10_000), 0);
+        assertEquals("2.5 standard deviations of 10", 0.25, MetricFit.neighbourLoss(100), 0);
+        assertEquals(0.4, MetricFit.neighbourLoss(4), 0);
+        assertEquals(0.4, MetricFit.neighbourLoss(0), 0);
+    }
+
+    @Test
+    public void slopeIsToldInStandardDeviationsAlongTheSteeperAxis() {
+        ProjectionFrame frame = new ProjectionFrame();
+        frame.set(1);
+        VelocityTop top = new VelocityTop().of(frame, 400, 8, -30, -100, -100, 0, MetricFit.FLAT_SIGMAS);
+        assertEquals(30 / 20.0, top.slopeSigmas(), 1e-9);
+    }
+
+    @Test
     public void crossStepsToTheTopOfTheParabolasThroughItsFive() {
         // 60 points that move at (0.2, -0.1) px/s and are each seen 20 times in 8 s
         Random random = new Random(3);

@@ -82,6 +82,18 @@ public class MotionChangeTest {
     }
 
     @Test
+    public void accelerationIsClearWhereItPassesTheNoiseOfTheMetric() {
+        Motion truth = steady();
+        measured(truth, DEFAULTS);
+        assertTrue("steady: " + change.bendSigmas(), change.bendSigmas() < 0.9);
+        truth.ax = 400;
+        measured(truth, DEFAULTS);
+        assertTrue("bent by 2 px: " + change.bendSigmas(), change.bendSigmas() > 5);
+        change.restart();
+        assertEquals(0, change.bendSigmas(), 0);
+    }
+
+    @Test
     public void growthIsThatOfTheEvents() {
         // 0.5 1/s shift the ends of the window by 1 px at 20 px
         Motion truth = steady();

@@ -304,7 +304,7 @@ public class MeasurementTest {
             }
         }
         measure();
-        motion.vx = 95;
+        motion.vx = 90;
         motion.vy = 10;
         measure();
         // the same fit again, of the events as they were projected, and what it knows
@@ -314,7 +314,7 @@ public class MeasurementTest {
         double half = (nowUs - live.oldestUs()) * 0.5e-6;
         double stiffness = 0.002 * loss.metric * half * half;
         // (L + S)^-1 L step, the step of the fit
-        double movedX = motion.vx - 95;
+        double movedX = motion.vx - 90;
         double movedY = motion.vy - 10;
         assertEquals(loss.xx * top.stepX() + loss.xy * top.stepY(),
             (loss.xx + stiffness) * movedX + loss.xy * movedY, 1e-9 * loss.xx);

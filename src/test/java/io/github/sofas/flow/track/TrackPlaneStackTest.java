@@ -293,13 +293,13 @@ public class TrackPlaneStackTest {
         begin(20, 10, 100, 1);
         begin(20, 42, 100, 1);
         stack.check(nowUs);
-        assertEquals(1, goOn(20, 10, 8));
+        assertEquals(1, goOn(20, 10, 7));
         // hidden for 200 ms, in which the contour fades: the lower half was last seen before they merged
         for (int i = 0; i < 40; i++) {
             nowUs += 5_000;
             stack.check(nowUs);
         }
-        assertEquals(1, label(48, 57));
+        assertEquals(1, label(47, 57));
     }
 
     @Test
