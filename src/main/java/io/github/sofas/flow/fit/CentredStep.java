@@ -53,7 +53,7 @@ public final class CentredStep {
             fit.frame(px);
         } else {
             fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(),
-                MetricFit.neighbourLoss(top.metric()), MetricFit.MIN_STEP_PX * px, MetricFit.MAX_STEP_PX * px);
+                MetricFit.neighbourLoss(top.metric()), px);
         }
         top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
         double best = top.bestLoss();

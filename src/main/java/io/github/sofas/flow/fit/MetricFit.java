@@ -14,9 +14,9 @@ public final class MetricFit {
     private static final double NEIGHBOUR_SIGMAS = 2.5;
     private static final double MOST_NEIGHBOUR_LOSS = 0.4;
     /** Smallest distance of neighbouring projections over half the window: closer ones differ by noise only. */
-    public static final double MIN_STEP_PX = 0.5;
+    private static final double MIN_STEP_PX = 0.5;
     /** Greatest distance of neighbouring projections over half the window. */
-    public static final double MAX_STEP_PX = 4;
+    private static final double MAX_STEP_PX = 4;
     /** Standard deviations of the metric that neighbours must lose for a direction to take a step. */
     public static final double FLAT_SIGMAS = 2;
 
@@ -118,11 +118,10 @@ public final class MetricFit {
      * about the same share of the metric: an edge is sharp across and flat along.
      *
      * @param xx loss of the metric per (px/s)², as xy and yy an entry of a symmetric matrix
-     * @param least distance in px/s
-     * @param most distance in px/s
+     * @param px velocity in px/s that shifts both ends of the window by one pixel
      */
-    public void frame(double ofMetric, double xx, double xy, double yy, double share, double least, double most) {
-        frame.set(ofMetric, xx, xy, yy, share, least, most);
+    public void frame(double ofMetric, double xx, double xy, double yy, double share, double px) {
+        frame.set(ofMetric, xx, xy, yy, share, MIN_STEP_PX * px, MAX_STEP_PX * px);
     }
 
     /**
@@ -132,7 +131,12 @@ public final class MetricFit {
      * @param metric of the events
      */
     public static double neighbourLoss(double metric) {
-        return Math.max(NEIGHBOUR_LOSS, Math.min(MOST_NEIGHBOUR_LOSS, NEIGHBOUR_SIGMAS / Math.sqrt(metric)));
+        return Math.max(NEIGHBOUR_LOSS, Math.min(MOST_NEIGHBOUR_LOSS, NEIGHBOUR_SIGMAS / sd(metric)));
+    }
+
+    /** {@return the standard deviation of a metric, which counts about as many meetings; 1 of one of less than 1} */
+    public static double sd(double metric) {
+        return Math.sqrt(Math.max(1, metric));
     }
 
     /** Spreads the frame after a step that left it. */
@@ -228,6 +232,6 @@ public final class MetricFit {
     public double localEvidence(double omega, double growth, double dOmega, double dGrowth) {
         double whole = metric.atTurn(dOmega, dGrowth);
         double parts = metric.atTurn(dOmega, dGrowth, omega, growth);
-        return (whole - parts) / Math.sqrt(Math.max(1, Math.max(whole, parts)));
+        return (whole - parts) / sd(Math.max(whole, parts));
     }
 }

@@ -167,7 +167,7 @@ public final class MotionChange {
         along = taken(along, motion.ax * axisX + motion.ay * axisY + fitted.step(), perPx,
             noisePx(BEND_NEWS_PX, EVENT_NEWS_PX, fit.size()));
         bendSigmas = Math.max(Math.abs(fitted.slope()), 2 * fitted.loss() * h * Math.abs(along))
-            / Math.sqrt(Math.max(1, loss.metric));
+            / MetricFit.sd(loss.metric);
         double stepAcross = fit.fitAcceleration(-axisY, axisX, h).step();
         across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + stepAcross - across);
         // along a straight edge nothing is known, of acceleration still less than of velocity

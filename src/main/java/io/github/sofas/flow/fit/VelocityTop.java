@@ -40,7 +40,7 @@ public final class VelocityTop {
         double g2 = gb * ca - ga * sa;
         double s1 = Parabola.stepTo(mean - root, g1, floor);
         double s2 = Parabola.stepTo(mean + root, g2, floor);
-        slopeSigmas = Math.max(Math.abs(g1), Math.abs(g2)) / Math.sqrt(Math.max(1, metric));
+        slopeSigmas = Math.max(Math.abs(g1), Math.abs(g2)) / MetricFit.sd(metric);
         double a = s1 * ca - s2 * sa;
         double b = s1 * sa + s2 * ca;
         steps = Math.sqrt(s1 * s1 + s2 * s2);

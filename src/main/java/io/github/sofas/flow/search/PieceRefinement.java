@@ -151,7 +151,7 @@ final class PieceRefinement {
             arrive(top);
         } else {
             fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), MetricFit.NEIGHBOUR_LOSS,
-                MetricFit.MIN_STEP_PX * px(), MetricFit.MAX_STEP_PX * px());
+                px());
         }
     }
 
@@ -201,7 +201,7 @@ final class PieceRefinement {
     }
 
     private double sigmasOverRest(VelocityTop top) {
-        return (top.metric() - Math.max(0, atRest)) / Math.sqrt(Math.max(1, top.metric()));
+        return (top.metric() - Math.max(0, atRest)) / MetricFit.sd(top.metric());
     }
 
     /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */

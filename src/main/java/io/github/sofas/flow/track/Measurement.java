@@ -257,8 +257,7 @@ final class Measurement {
         if (count == 0) {
             fit.frame(px);
         } else {
-            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.neighbourLoss(loss.metric),
-                MetricFit.MIN_STEP_PX * px, MetricFit.MAX_STEP_PX * px);
+            fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.neighbourLoss(loss.metric), px);
             fit.widen(widen);
         }
         VelocityTop top = count < LEAST_FULL || count % FULL_EVERY == 0 ? fit.fit(0, 0, MetricFit.FLAT_SIGMAS)

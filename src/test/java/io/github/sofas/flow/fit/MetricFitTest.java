@@ -289,7 +289,7 @@ public class MetricFitTest {
         fit.frame(1);
         assertEquals(0, fit.fitCross(0, 0, 2).metric(), 0);
         assertTrue(Double.isFinite(fit.fitAcceleration(1, 0, 1).step()));
-        fit.frame(0, 1, 0, 1, 0.04, 0.5, 4);
+        fit.frame(0, 1, 0, 1, 0.04, 1);
         VelocityTop top = fit.fitCross(0, 0, 2);
         assertTrue(Double.isFinite(top.stepX()));
         assertTrue(Double.isFinite(top.stepY()));
