@@ -81,6 +81,7 @@ final class Labels {
     }
 
     private void leave(int segment) {
+        resumed.remove(segment);
         if (!ended.contains(segment)) {
             left.add(segment);
         }

@@ -73,6 +73,17 @@ public class LabelsTest {
     }
 
     @Test
+    public void whatIsLeftOnceMoreIsNotAllOfIt() {
+        labels.joinPaths(9, 2);
+        labels.endSegment(9);
+        labels.joinPaths(11, 2);
+        assertTrue(labels.isLeft(2));
+        assertFalse("11 is", labels.isResumed(2));
+        labels.endSegment(2);
+        assertFalse("nothing is left", labels.isResumed(2));
+    }
+
+    @Test
     public void forgetsWhatIsOver() {
         labels.joinPaths(5, 1);
         labels.join(1, 2);
