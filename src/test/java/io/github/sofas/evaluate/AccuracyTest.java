@@ -129,7 +129,13 @@ public class AccuracyTest {
     @Test
     public void manyMoversAreOneSegmentEach() {
         assertReaches(Scene.TWO_OPPOSITE, PLAIN, 0.24, 0.00, 0.37, 0.00);
-        assertReaches(Scene.SIXTEEN, PLAIN, 0.97, 0.67, 3.61, 6.17);
+        assertReaches(Scene.SIXTEEN, PLAIN, 0.78, 0.74, 6.60, 13.56);
+    }
+
+    @Test
+    public void moversWhoseSpeedsDifferByATenthStayTwo() {
+        assertReaches(Scene.SIXTEEN, PLAIN.withDirectionDeg(240), 2.24, 6.55, 23.77, 3.25);
+        assertReaches(Scene.SIXTEEN, PLAIN.withDirectionDeg(300), 2.07, 6.82, 20.85, 2.95);
     }
 
     @Test

@@ -313,6 +313,12 @@ final class Contour {
         return frame.motion().vy * (nowUs - frame.motion().referenceUs) * 1e-6;
     }
 
+    /** Whether its box and that of another contour lie no farther apart than a gap in px, along both axes. */
+    boolean isWithin(double gap, Contour other, long nowUs) {
+        return left(nowUs) <= other.right(nowUs) + gap && other.left(nowUs) <= right(nowUs) + gap
+            && top(nowUs) <= other.bottom(nowUs) + gap && other.top(nowUs) <= bottom(nowUs) + gap;
+    }
+
     /** Whether no cell is occupied. */
     boolean isEmpty() {
         return cells.isEmpty();

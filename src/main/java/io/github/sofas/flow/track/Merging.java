@@ -15,20 +15,25 @@ final class Merging {
     /** Gap between boxes that may merge, as a share of the shorter of their longer sides, and at least so many px. */
     private static final double GAP_SHARE = 0.8;
     private static final double GAP_PX = 4;
+    /**
+     * Travel that both must have been tracked for if their boxes are farther apart than {@link #GAP_PX}: over less, two
+     * bodies of about the same velocity cannot be told from two parts of one, and what has merged is never parted.
+     */
+    private static final double TRAVEL_PX = 8;
 
     private final CommonMotion common = new CommonMotion();
 
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
     boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
         return (a.hasLiveEvents() || b.hasLiveEvents()) && a.measurement().isSharp() && b.measurement().isSharp()
-            && areNear(a.contour(), b.contour(), nowUs)
+            && areNear(a, b, nowUs)
             && (shareVelocity(a, b, nowUs) || shareMotion(a, b, nowUs));
     }
 
-    private static boolean areNear(Contour a, Contour b, long nowUs) {
-        double gap = Math.max(GAP_PX, GAP_SHARE * Math.min(a.extent(), b.extent()));
-        return a.left(nowUs) <= b.right(nowUs) + gap && b.left(nowUs) <= a.right(nowUs) + gap
-            && a.top(nowUs) <= b.bottom(nowUs) + gap && b.top(nowUs) <= a.bottom(nowUs) + gap;
+    private static boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
+        double gap = a.travelPx(nowUs) < TRAVEL_PX || b.travelPx(nowUs) < TRAVEL_PX ? GAP_PX
+            : Math.max(GAP_PX, GAP_SHARE * Math.min(a.contour().extent(), b.contour().extent()));
+        return a.contour().isWithin(gap, b.contour(), nowUs);
     }
 
     private boolean shareVelocity(TrackPlane a, TrackPlane b, long nowUs) {

@@ -146,6 +146,11 @@ public final class TrackPlane {
         return motion.speed(contour.radius());
     }
 
+    /** How far it has travelled since it was found, in px, at its speed of now. */
+    double travelPx(long nowUs) {
+        return (nowUs - firstUs) * 1e-6 * speed();
+    }
+
     /** Support of an event by the contour; at least {@link #threshold} where it belongs. */
     public int support(int x, int y, long timeUs, int polarity) {
         return contour.support(x, y, timeUs, polarity);

@@ -329,12 +329,34 @@ public class TrackPlaneStackTest {
         assertEquals(List.of(1, 2), ids());
     }
 
+    /** Two edges go on for some columns, each of which they enter after 10 ms. */
+    private void goOnWithTwo(int column, int otherColumn, int columns) {
+        for (int c = 1; c <= columns; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                label(column + c, 30 + y);
+                label(otherColumn + c, 30 + y);
+            }
+        }
+        stack.check(nowUs);
+    }
+
+    @Test
+    public void planesThatMoveAlikeApartFromEachOtherAreOneAfterEightPixels() {
+        begin(40, 30, 100, 1);
+        begin(60, 30, 100, 1);
+        goOnWithTwo(40, 60, 6);
+        assertEquals(List.of(1, 2), ids());
+        goOnWithTwo(46, 66, 4);
+        assertEquals(List.of(1), ids());
+    }
+
     @Test
     public void planesThatMoveAlikeFarFromEachOtherStayTwo() {
         // boxes 29 px long may lie 0.8 of that apart, and no more
         begin(40, 30, 100, 1);
-        begin(64, 30, 100, 1);
-        stack.check(nowUs);
+        begin(68, 30, 100, 1);
+        goOnWithTwo(40, 68, 10);
         assertEquals(List.of(1, 2), ids());
     }
 
