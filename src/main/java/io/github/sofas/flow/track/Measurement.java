@@ -134,11 +134,6 @@ final class Measurement {
         return loss;
     }
 
-    /** Whether so many measurements were made that rotation and growth may be known. */
-    boolean knowsChange() {
-        return count > LEAST_FULL;
-    }
-
     /** New events until it is measured again: an eighth of few, a twelfth of many, more where a sample is large. */
     int newsNeeded(int liveEvents) {
         int sample = sample(liveEvents);

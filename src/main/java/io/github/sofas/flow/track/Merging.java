@@ -10,8 +10,6 @@ import io.github.sofas.flow.motion.Motion;
 final class Merging {
     /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
     private static final double MOST_LOST = 0.02;
-    /** Share of what a common rotation and growth explain that they may fail to explain. */
-    private static final double SHOWN_LOST = 0.15;
     /** Gap between boxes that may merge, as a share of the shorter of their longer sides, and at least so many px. */
     private static final double GAP_SHARE = 0.8;
     private static final double GAP_PX = 4;
@@ -26,8 +24,7 @@ final class Merging {
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
     boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
         return (a.hasLiveEvents() || b.hasLiveEvents()) && a.measurement().isSharp() && b.measurement().isSharp()
-            && areNear(a, b, nowUs)
-            && (shareVelocity(a, b, nowUs) || shareMotion(a, b, nowUs));
+            && areNear(a, b, nowUs) && shareMotion(a, b, nowUs);
     }
 
     private static boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
@@ -36,17 +33,9 @@ final class Merging {
         return a.contour().isWithin(gap, b.contour(), nowUs);
     }
 
-    private boolean shareVelocity(TrackPlane a, TrackPlane b, long nowUs) {
-        return common.fitVelocity(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
-            && common.lost() < MOST_LOST;
-    }
-
-    /** Any two velocities have some rotation and growth in common: it must show in each of the two by itself. */
     private boolean shareMotion(TrackPlane a, TrackPlane b, long nowUs) {
-        return a.measurement().knowsChange() && b.measurement().knowsChange()
-            && common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
-            && common.leastShown() > MOST_LOST
-            && common.lost() < Math.max(MOST_LOST, SHOWN_LOST * common.leastShown());
+        return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
+            && common.lost() < MOST_LOST;
     }
 
     /** The motion that the two have in common which were asked for last and are one. */

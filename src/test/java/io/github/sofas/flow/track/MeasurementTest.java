@@ -83,7 +83,6 @@ public class MeasurementTest {
     public void nothingIsKnownAtFirst() {
         start(100);
         assertFalse(measurement.isBlurred());
-        assertFalse(measurement.knowsChange());
         assertEquals(P.lifetimePx(), measurement.lifetimePx(), 0);
         assertEquals(0, measurement.loss().metric, 0);
     }
@@ -101,7 +100,6 @@ public class MeasurementTest {
         assertEquals(0, motion.vy, 2);
         // known across it, and not along it
         assertTrue(measurement.loss().xx > 20 * measurement.loss().yy);
-        assertTrue(measurement.knowsChange());
     }
 
     @Test
