@@ -104,9 +104,7 @@ final class Labels {
                 newest = Math.max(newest, other);
             }
         }
-        if (newest != 0) {
-            resume(newest);
-        }
+        resume(newest);
         return true;
     }
 
@@ -115,7 +113,7 @@ final class Labels {
         return left.contains(segment);
     }
 
-    /** Notes that what was left of a segment is all of it again. */
+    /** Notes that what was left of a segment is all of it again; of one of which nothing is left, nothing. */
     void resume(int segment) {
         if (left.remove(segment)) {
             resumed.add(segment);

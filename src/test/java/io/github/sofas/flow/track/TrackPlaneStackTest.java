@@ -73,6 +73,18 @@ public class TrackPlaneStackTest {
         return segment;
     }
 
+    /** Two edges go on for some columns, each of which they enter after 10 ms; then the planes are looked after. */
+    private void goOnWithTwo(int column, int row, int otherColumn, int otherRow, int columns) {
+        for (int c = 1; c <= columns; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                label(column + c, row + y);
+                label(otherColumn + c, otherRow + y);
+            }
+        }
+        stack.check(nowUs);
+    }
+
     private List<Integer> ids() {
         return stack.segments().stream().map(Segment::id).toList();
     }
@@ -308,14 +320,7 @@ public class TrackPlaneStackTest {
         begin(110, 60, 100, 1);
         begin(20, 5, 100, 1);
         begin(20, 37, 100, 1);
-        for (int c = 1; c <= 10; c++) {
-            nowUs += 10_000;
-            for (int y = 0; y < ROWS; y++) {
-                label(20 + c, 5 + y);
-                label(20 + c, 37 + y);
-            }
-        }
-        stack.check(nowUs);
+        goOnWithTwo(20, 5, 20, 37, 10);
         assertEquals(List.of(2), ids());
         assertEquals(List.of(1, 3), ended.stream().map(Segment::id).toList());
         assertEquals(2, ended.get(1).mergedInto());
@@ -329,25 +334,13 @@ public class TrackPlaneStackTest {
         assertEquals(List.of(1, 2), ids());
     }
 
-    /** Two edges go on for some columns, each of which they enter after 10 ms. */
-    private void goOnWithTwo(int column, int otherColumn, int columns) {
-        for (int c = 1; c <= columns; c++) {
-            nowUs += 10_000;
-            for (int y = 0; y < ROWS; y++) {
-                label(column + c, 30 + y);
-                label(otherColumn + c, 30 + y);
-            }
-        }
-        stack.check(nowUs);
-    }
-
     @Test
     public void planesThatMoveAlikeApartFromEachOtherAreOneAfterEightPixels() {
         begin(40, 30, 100, 1);
         begin(60, 30, 100, 1);
-        goOnWithTwo(40, 60, 6);
+        goOnWithTwo(40, 30, 60, 30, 6);
         assertEquals(List.of(1, 2), ids());
-        goOnWithTwo(46, 66, 4);
+        goOnWithTwo(46, 30, 66, 30, 4);
         assertEquals(List.of(1), ids());
     }
 
@@ -356,7 +349,7 @@ public class TrackPlaneStackTest {
         // boxes 29 px long may lie 0.8 of that apart, and no more
         begin(40, 30, 100, 1);
         begin(68, 30, 100, 1);
-        goOnWithTwo(40, 68, 10);
+        goOnWithTwo(40, 30, 68, 30, 10);
         assertEquals(List.of(1, 2), ids());
     }
 
