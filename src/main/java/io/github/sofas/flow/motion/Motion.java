@@ -75,12 +75,17 @@ public final class Motion {
         referenceUs = timeUs;
     }
 
-    /** Moves the centre; the motion of every point stays the same, but for its acceleration. */
+    /**
+     * Moves the centre; the motion of every point stays the same, but for what it is drawn towards the centre by the
+     * square of the rotation and of the growth: where the centre is a pixel off, that is noise.
+     */
     public void moveCentre(double newX, double newY) {
         double rx = newX - centreX;
         double ry = newY - centreY;
         vx += growth * rx - omega * ry;
         vy += growth * ry + omega * rx;
+        ax += growthChange * rx - alpha * ry;
+        ay += growthChange * ry + alpha * rx;
         centreX = newX;
         centreY = newY;
     }

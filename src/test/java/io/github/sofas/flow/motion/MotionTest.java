@@ -86,6 +86,19 @@ public class MotionTest {
     }
 
     @Test
+    public void movedCentreIsSpedUpAsTheRotationAndTheGrowthAreThere() {
+        // 10 px right of it 5 rad/s² push down by 50 px/s² and 2 1/s² to the right by 20; 10 px below it, left and down
+        Motion motion = turningAndGrowing();
+        motion.ax = 7;
+        motion.ay = -3;
+        motion.alpha = 5;
+        motion.growthChange = 2;
+        motion.moveCentre(60, 50);
+        assertEquals(7 + 20 - 50, motion.ax, 1e-9);
+        assertEquals(-3 + 50 + 20, motion.ay, 1e-9);
+    }
+
+    @Test
     public void movedCentreLeavesTheVelocityOfEveryPointAsItIs() {
         Motion motion = turningAndGrowing();
         Motion moved = turningAndGrowing();
