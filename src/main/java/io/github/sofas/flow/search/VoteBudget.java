@@ -9,7 +9,7 @@ final class VoteBudget {
     /** Votes of measurements and search together for each event. */
     private static final int VOTES_PER_EVENT = 120;
     /** What is left to the search at least: many structures must not keep others from being found. */
-    private static final int LEAST_PER_EVENT = 40;
+    private static final int LEAST_PER_EVENT = 80;
     /** Most votes that are saved up, and that are owed for measurements. */
     private static final long MOST_SAVED = 40_000;
     private static final long MOST_OWED = 100_000;

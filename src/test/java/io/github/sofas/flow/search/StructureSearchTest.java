@@ -148,24 +148,24 @@ public class StructureSearchTest {
     }
 
     @Test
-    public void measurementsLeaveAThirdToTheSearchAtLeast() {
+    public void measurementsLeaveTwoThirdsToTheSearchAtLeast() {
         int alone = new Budget().eventsUntilFound(0);
-        int beside = new Budget().eventsUntilFound(80);
+        int beside = new Budget().eventsUntilFound(40);
         int starved = new Budget().eventsUntilFound(1_000_000);
-        // 120 - 80 votes per event are left, and no fewer however many are owed
-        assertEquals(3.0, (double) beside / alone, 0.1);
+        // 120 - 40 votes per event are left, and no fewer however many are owed
+        assertEquals(1.5, (double) beside / alone, 0.1);
         assertEquals(beside, starved);
     }
 
     @Test
     public void debtsArePaidByTheEventsThatFollow() {
         Budget budget = new Budget();
-        // of 4,000 votes owed, 80 are paid with each of 50 events; then all 120 are the search's
-        budget.search.run(4_000);
-        int events = 1 + budget.eventsUntilFound(4_000, 0);
+        // of 2,000 votes owed, 40 are paid with each of 50 events; then all 120 are the search's
+        budget.search.run(2_000);
+        int events = 1 + budget.eventsUntilFound(2_000, 0);
         int alone = new Budget().eventsUntilFound(0);
         assertTrue("more than 50 events: " + alone, alone > 50);
-        assertEquals(alone + 4_000 / 120.0, events, 2);
+        assertEquals(alone + 2_000 / 120.0, events, 2);
     }
 
     /** A search over events that are added as the test wants them. */

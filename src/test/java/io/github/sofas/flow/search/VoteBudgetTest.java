@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** What the search may spend: 120 votes an event, less up to 80 of those that measurements gave. */
+/** What the search may spend: 120 votes an event, less up to 40 of those that measurements gave. */
 public class VoteBudgetTest {
     private final VoteBudget budget = new VoteBudget(1_000);
 
@@ -37,18 +37,18 @@ public class VoteBudgetTest {
 
     @Test
     public void measurementsArePaidFirst() {
-        // 50 votes are paid, 70 left
-        budget.earn(1_050);
-        budget.spend(69);
+        // 30 votes are paid, 90 left
+        budget.earn(1_030);
+        budget.spend(89);
         assertTrue(budget.isLeft());
         budget.spend(1);
         assertFalse(budget.isLeft());
     }
 
     @Test
-    public void aThirdIsLeftHoweverMuchMeasurementsOwe() {
+    public void twoThirdsAreLeftHoweverMuchMeasurementsOwe() {
         budget.earn(1_000_000);
-        budget.spend(39);
+        budget.spend(79);
         assertTrue(budget.isLeft());
         budget.spend(1);
         assertFalse(budget.isLeft());
@@ -57,10 +57,10 @@ public class VoteBudgetTest {
     @Test
     public void noMoreIsOwedThanAHundredThousand() {
         budget.earn(1_000_000);
-        budget.spend(40);
-        // 80 of 100,000 are paid with each of 1,250 events, one of which was
-        budget.spend(1_249 * 40);
-        assertEquals(1_250, eventsUntilLeft(1_000_000));
+        budget.spend(80);
+        // 40 of 100,000 are paid with each of 2,500 events, one of which was
+        budget.spend(2_499 * 80);
+        assertEquals(2_500, eventsUntilLeft(1_000_000));
     }
 
     @Test
