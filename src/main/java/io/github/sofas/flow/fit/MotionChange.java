@@ -27,8 +27,10 @@ public final class MotionChange {
     private static final double LEAST_SHOWN_PX = 0.03;
     /** Metric that a turning or growth gains, in standard deviations, at which half of it is believed. */
     private static final double GAIN_SIGMAS = 0.2;
+    /** Belief in a rotation, 0 to 1, below which none is taken to change: little would be left of what is measured. */
+    private static final double LEAST_SPINNING = 0.1;
     /** Measurements to one that looks again how alike the parameters of the motion are. */
-    private static final int STRUCTURE_EVERY = 2;
+    private static final int STRUCTURE_EVERY = 4;
     /** Distance of the projections that measure a change, at the end of the window. */
     private static final double CHANGE_PX = 1.5;
     /** Share of a newly measured acceleration that is taken over: successive windows share most events. */
@@ -149,7 +151,10 @@ public final class MotionChange {
         motion.omega = sure * newOmega;
         motion.growth = sure * newGrowth;
         motion.growthChange = sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
-        if (p.rotation() && p.acceleration()) {
+        if (turns * sure < LEAST_SPINNING) {
+            alpha = 0;
+            motion.alpha = 0;
+        } else if (p.rotation() && p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
             double step = fit.fitSpin(perPxOfSpin * CHANGE_PX).step();
             alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);

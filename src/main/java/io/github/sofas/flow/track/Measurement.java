@@ -46,7 +46,7 @@ final class Measurement {
      */
     private static final int STRETCHES = 4;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
-    private static final double STEP_PX = 1.0 / 64;
+    private static final double STEP_PX = 1.0 / 32;
 
     /** Live events that are measured whole: with half as many a lonely hexagon's velocity swings by a tenth. */
     private static final int SAMPLE_EVENTS = 2000;
