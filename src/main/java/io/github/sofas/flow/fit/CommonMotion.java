@@ -93,6 +93,13 @@ public final class CommonMotion {
             motion.growth - its.growth) / loss.metric;
     }
 
+    /** Whether rotation and growth make the velocities of the two centres differ by more than a share of the speed. */
+    public boolean turnsOrGrows(double share) {
+        double x = besideX(first) - besideX(second);
+        double y = besideY(first) - besideY(second);
+        return x * x + y * y > share * share * (motion.vx * motion.vx + motion.vy * motion.vy);
+    }
+
     /** The motion, at the time it was fitted for. */
     public Motion motion() {
         return motion;

@@ -10,6 +10,13 @@ import io.github.sofas.flow.motion.Motion;
 final class Merging {
     /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
     private static final double MOST_LOST = 0.02;
+    /**
+     * The same of planes whose boxes are farther apart than {@link #GAP_PX}, unless by rotation and growth their
+     * velocities differ by more than a share of the speed, of which less is known: small bodies whose speeds differ by
+     * a tenth lose a hundredth while they travel half of a lifetime.
+     */
+    private static final double MOST_LOST_APART = 0.005;
+    private static final double TURNING_SHARE = 0.05;
     /** Gap between boxes that may merge, as a share of the shorter of their longer sides, and at least so many px. */
     private static final double GAP_SHARE = 0.8;
     private static final double GAP_PX = 4;
@@ -27,15 +34,19 @@ final class Merging {
             && areNear(a, b, nowUs) && shareMotion(a, b, nowUs);
     }
 
+    private static boolean touch(TrackPlane a, TrackPlane b, long nowUs) {
+        return a.contour().isWithin(GAP_PX, b.contour(), nowUs);
+    }
+
     private static boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
-        double gap = a.travelPx(nowUs) < TRAVEL_PX || b.travelPx(nowUs) < TRAVEL_PX ? GAP_PX
-            : Math.max(GAP_PX, GAP_SHARE * Math.min(a.contour().extent(), b.contour().extent()));
-        return a.contour().isWithin(gap, b.contour(), nowUs);
+        double gap = GAP_SHARE * Math.min(a.contour().extent(), b.contour().extent());
+        return touch(a, b, nowUs) || a.travelPx(nowUs) >= TRAVEL_PX && b.travelPx(nowUs) >= TRAVEL_PX
+            && a.contour().isWithin(gap, b.contour(), nowUs);
     }
 
     private boolean shareMotion(TrackPlane a, TrackPlane b, long nowUs) {
         return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
-            && common.lost() < MOST_LOST;
+            && common.lost() < (touch(a, b, nowUs) || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
     }
 
     /** The motion that the two have in common which were asked for last and are one. */

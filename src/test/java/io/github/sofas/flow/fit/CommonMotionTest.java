@@ -85,6 +85,18 @@ public class CommonMotionTest {
     }
 
     @Test
+    public void turnsOrGrowsWhereThatMakesTheCentresDifferByAShareOfTheSpeed() {
+        // 20 px apart, at 0.06 rad/s and 0.08 1/s: by 2 of 30 px/s
+        CommonMotion common = new CommonMotion();
+        MotionLoss all = loss(1, 0, 1, 1, 1);
+        common.fit(motion(60, 40, 30, 0, 0.06, 0.08), all, motion(40, 40, 30, 0, 0.06, 0.08), all, 0);
+        assertTrue(common.turnsOrGrows(0.06));
+        assertFalse(common.turnsOrGrows(0.07));
+        common.fit(motion(60, 40, 30, 0, 0), all, motion(40, 40, 30, 0, 0), all, 0);
+        assertFalse(common.turnsOrGrows(0));
+    }
+
+    @Test
     public void velocityOfTheMiddleIsFoundBesideRotationAndGrowth() {
         // (3, -1) px/s, 2 rad/s, 0.5 1/s about (50, 40): 10 px to the right (5, 20) px/s on top, to
         // the left as much less

@@ -345,6 +345,25 @@ public class TrackPlaneStackTest {
     }
 
     @Test
+    public void planesApartWhoseSpeedsDifferByATwelfthStayTwo() {
+        begin(40, 30, 100, 1);
+        begin(60, 30, 108, 1);
+        long beganUs = nowUs;
+        int first = 1;
+        int second = 1;
+        while (first <= 12) {
+            boolean firstIsNext = first * 108 <= second * 100;
+            nowUs = beganUs + (firstIsNext ? first * 10_000 : second * 1_000_000 / 108);
+            int column = firstIsNext ? 40 + first++ : 60 + second++;
+            for (int y = 0; y < ROWS; y++) {
+                label(column, 30 + y);
+            }
+            stack.check(nowUs);
+        }
+        assertEquals(List.of(1, 2), ids());
+    }
+
+    @Test
     public void planesThatMoveAlikeFarFromEachOtherStayTwo() {
         // boxes 29 px long may lie 0.8 of that apart, and no more
         begin(40, 30, 100, 1);
