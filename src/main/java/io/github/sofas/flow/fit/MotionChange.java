@@ -154,7 +154,7 @@ public final class MotionChange {
         if (turns * sure < LEAST_SPINNING) {
             alpha = 0;
             motion.alpha = 0;
-        } else if (p.rotation() && p.acceleration()) {
+        } else if (p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
             double step = fit.fitSpin(perPxOfSpin * CHANGE_PX).step();
             alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);

@@ -10,12 +10,12 @@ import io.github.sofas.flow.motion.Motion;
 final class Merging {
     /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
     private static final double MOST_LOST = 0.02;
-    /**
-     * The same of planes whose boxes are farther apart than {@link #GAP_PX}, unless by rotation and growth their
-     * velocities differ by more than a share of the speed, of which less is known: small bodies whose speeds differ by
-     * a tenth lose a hundredth while they travel half of a lifetime.
-     */
+    /** The same of planes that do not touch: small bodies whose speeds differ by a tenth lose a hundredth at most. */
     private static final double MOST_LOST_APART = 0.005;
+    /**
+     * Share of the speed by which rotation and growth must make their velocities differ for planes that do not touch to
+     * lose as much as those that do: rotation and growth are known less well.
+     */
     private static final double TURNING_SHARE = 0.05;
     /** Gap between boxes that may merge, as a share of the shorter of their longer sides, and at least so many px. */
     private static final double GAP_SHARE = 0.8;
@@ -30,23 +30,23 @@ final class Merging {
 
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
     boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
-        return (a.hasLiveEvents() || b.hasLiveEvents()) && a.measurement().isSharp() && b.measurement().isSharp()
-            && areNear(a, b, nowUs) && shareMotion(a, b, nowUs);
+        if (!a.hasLiveEvents() && !b.hasLiveEvents() || !a.measurement().isSharp() || !b.measurement().isSharp()) {
+            return false;
+        }
+        boolean touch = a.contour().isWithin(GAP_PX, b.contour(), nowUs);
+        return (touch || areNear(a, b, nowUs)) && shareMotion(a, b, touch, nowUs);
     }
 
-    private static boolean touch(TrackPlane a, TrackPlane b, long nowUs) {
-        return a.contour().isWithin(GAP_PX, b.contour(), nowUs);
-    }
-
+    /** Whether planes that do not touch may merge by where they are, and by how far they have travelled. */
     private static boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
         double gap = GAP_SHARE * Math.min(a.contour().extent(), b.contour().extent());
-        return touch(a, b, nowUs) || a.travelPx(nowUs) >= TRAVEL_PX && b.travelPx(nowUs) >= TRAVEL_PX
+        return a.travelPx(nowUs) >= TRAVEL_PX && b.travelPx(nowUs) >= TRAVEL_PX
             && a.contour().isWithin(gap, b.contour(), nowUs);
     }
 
-    private boolean shareMotion(TrackPlane a, TrackPlane b, long nowUs) {
+    private boolean shareMotion(TrackPlane a, TrackPlane b, boolean touch, long nowUs) {
         return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
-            && common.lost() < (touch(a, b, nowUs) || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
+            && common.lost() < (touch || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
     }
 
     /** The motion that the two have in common which were asked for last and are one. */
