@@ -81,7 +81,7 @@ public final class Sofas implements EventLabeller {
 
     /**
      * {@return the upper bound of the memory that an engine holds, in bytes, whatever the events} It is the sum of its
-     * arrays, as large as they may grow. For 240 x 180 px it is 99 MB with the default preset and 275 MB with the
+     * arrays, as large as they may grow. For 240 x 180 px it is 119 MB with the default preset and 275 MB with the
      * paper's, with 64 track planes; with one, 58 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
@@ -89,7 +89,7 @@ public final class Sofas implements EventLabeller {
      * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 19 for each of the newest 2
      * to 4 events per pixel, at most 2^20; 9 bytes per pixel; three times 8 bytes for each cell of a grid that motion
      * is measured on, and for 8,192 more, and 72 for each of 16,384 events; and for each track plane 4 bytes for each
-     * of (w + 48) (h + 48) cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 18 for each of its 16,384
+     * of (w + 48) (h + 48) cells and of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 18 for each of its 32,768
      * live events at most, and 41,000 for the places that it was at and what it looked like there.
      *
      * <p>{@code paper}: 2 bytes for each cell of the n² accumulators, whose sides are those of the sensor and the

@@ -4,21 +4,21 @@ package io.github.sofas.flow.fit;
  * How fast a parameter of the motion changes, from one measurement of it to the next. Ours, because what comes near at
  * a steady speed grows faster and faster, but within one window too little for its metric to show.
  *
- * <p>A mean of the slopes between measurements, over about one window; none until the parameter has settled, because
+ * <p>A mean of the slopes between measurements, over about half a window; none until the parameter has settled, because
  * the first measurements come from nothing and look like a steep rise.
  */
 final class SeriesSlope {
     /** Correction of a measurement at the end of the window, in px, above which the parameter has not settled. */
     private static final double UNSETTLED_PX = 0.3;
-    /** Part of a window that must be new since it was unsettled. */
-    private static final double LEAST_NEWS = 0.3;
+    /** Part of half a window that must be new since it was unsettled. */
+    private static final double LEAST_NEWS = 0.6;
 
     private double slope;
     private double before;
     private long beforeUs;
     /** Whether there is a value before. */
     private boolean follows;
-    /** Windows that were measured since the parameter settled. */
+    /** Half windows that were measured since the parameter settled. */
     private double news;
 
     /** Begins without measurements. */
@@ -42,7 +42,7 @@ final class SeriesSlope {
             slope = 0;
             news = 0;
         } else if (follows && seconds > 0) {
-            double part = Math.min(1, seconds / (2 * half));
+            double part = Math.min(1, seconds / half);
             news += part;
             if (news > LEAST_NEWS) {
                 slope += part * ((value - before) / seconds - slope);

@@ -9,7 +9,7 @@ package io.github.sofas.flow.track;
  * tiles, because thinning events one by one thins their meetings by the square.
  */
 final class LiveEvents {
-    static final int CAPACITY = 1 << 14;
+    static final int CAPACITY = 1 << 15;
     /** Bytes of its arrays. */
     static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES);
     private static final int MASK = CAPACITY - 1;

@@ -15,6 +15,8 @@ import io.github.sofas.flow.motion.SteppedProjection;
 final class Measurement {
     /** Fewer events than this have no motion. */
     static final int LEAST_EVENTS = 12;
+    /** Most events that are measured at once. */
+    static final int MOST_EVENTS = 1 << 14;
     /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
     private static final int LEAST_FULL = 3;
     private static final int FULL_EVERY = 4;
@@ -205,7 +207,8 @@ final class Measurement {
      */
     private int sample(int n) {
         int least = Math.max(SAMPLE_EVENTS, Math.min(n / SAMPLE_PART, MOST_SAMPLED));
-        return n <= least ? n : (int) Math.max(least, Math.min(n, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
+        int most = Math.min(n, MOST_EVENTS);
+        return n <= least ? n : (int) Math.max(least, Math.min(most, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
     }
 
     /** Projects a sample of the live events to the motion's reference; returns how many of it were shared. */

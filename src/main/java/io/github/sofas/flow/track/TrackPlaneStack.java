@@ -20,7 +20,7 @@ import java.util.function.Consumer;
  */
 public final class TrackPlaneStack {
     /** Most events that a track plane's motion is measured from. */
-    public static final int MOST_MEASURED = LiveEvents.CAPACITY;
+    public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
     /** Close support decides whose an event is, and support by all cells around it where that is the same. */

@@ -16,17 +16,17 @@ public class SeriesSlopeTest {
     }
 
     @Test
-    public void slopeIsAMeanOverAboutAWindow() {
+    public void slopeIsAMeanOverAboutHalfAWindow() {
         measured(1, 0);
         // 50 of 200 ms: a quarter of a window is too little
         measured(1.1, 50);
         assertEquals(0, slope.perS(), 0);
-        // half a window: a quarter of 0.2 in 50 ms, that is of 4 a second
+        // half a window: half of 0.2 in 50 ms, that is of 4 a second
         measured(1.3, 100);
-        assertEquals(1, slope.perS(), TINY);
-        // another quarter: 1 + (4 - 1) / 4
+        assertEquals(2, slope.perS(), TINY);
+        // another quarter: 2 + (4 - 2) / 2
         measured(1.5, 150);
-        assertEquals(1.75, slope.perS(), TINY);
+        assertEquals(3, slope.perS(), TINY);
         // a whole window at once: the slope is that since the last one
         measured(1.1, 350);
         assertEquals(-2, slope.perS(), TINY);
@@ -43,7 +43,7 @@ public class SeriesSlopeTest {
         measured(9.1, 450);
         assertEquals(0, slope.perS(), 0);
         measured(9.2, 500);
-        assertEquals(0.5, slope.perS(), TINY);
+        assertEquals(1, slope.perS(), TINY);
     }
 
     @Test

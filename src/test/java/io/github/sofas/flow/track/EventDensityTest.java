@@ -57,7 +57,7 @@ public class EventDensityTest {
 
     @Test
     public void eventsOfTilesThatAreNotTakenCount() {
-        // 16,384 events fill the ring; the next one halves its tiles, and what stays stands for twice as many
+        // 32,768 events fill the ring; the next one halves its tiles, and what stays stands for twice as many
         LiveEvents halved = live(LiveEvents.CAPACITY + 1);
         assertEquals(2, halved.thinning());
         density.follow(halved, LIFETIME_PX);

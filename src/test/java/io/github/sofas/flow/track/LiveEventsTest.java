@@ -52,36 +52,36 @@ public class LiveEventsTest {
         fill(live);
         assertTrue(live.isFull());
         assertEquals(1, live.thinning());
-        live.add(5, 5, 20_000, 1, Claim.OWN, 6);
-        // half of its 16,384 and the new one, all of even tiles
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
+        // half of its 32,768 and the new one, all of even tiles
         assertEquals(2, live.thinning());
-        assertEquals(8_193, live.size());
-        for (int k = 0; k < 8_192; k++) {
+        assertEquals(16_385, live.size());
+        for (int k = 0; k < 16_384; k++) {
             assertEquals(2 * k, live.timeUs[live.index(k)]);
             assertEquals(2 * k % 100, live.x[live.index(k)]);
             assertEquals(2 * k % 90, live.y[live.index(k)]);
         }
-        assertEquals(20_000, live.newestUs());
+        assertEquals(40_000, live.newestUs());
     }
 
     @Test
     public void tilesThatWereGivenUpAreNotTakenAgain() {
         fill(live);
-        live.add(5, 5, 20_000, 1, Claim.OWN, 7);
-        assertEquals(8_192, live.size());
+        live.add(5, 5, 40_000, 1, Claim.OWN, 7);
+        assertEquals(16_384, live.size());
         assertFalse(live.takes(7));
         assertTrue(live.takes(6));
-        live.add(5, 5, 20_000, 1, Claim.OWN, 7);
-        assertEquals(8_192, live.size());
+        live.add(5, 5, 40_000, 1, Claim.OWN, 7);
+        assertEquals(16_384, live.size());
     }
 
     @Test
     public void ringThatIsFullAgainHalvesItsTilesAgain() {
         fill(live);
-        for (int i = 0; i < 8_193; i++) {
-            live.add(5, 5, 20_000 + i, 1, Claim.OWN, 4 * (i & 1) + 2 * (i >> 1 & 1));
+        for (int i = 0; i < 16_385; i++) {
+            live.add(5, 5, 40_000 + i, 1, Claim.OWN, 4 * (i & 1) + 2 * (i >> 1 & 1));
         }
-        // 8,192 of the first were left; of the new ones, of tiles 0, 4, 2 and 6, those of tiles 0 and 4 stayed
+        // 16,384 of the first were left; of the new ones, of tiles 0, 4, 2 and 6, those of tiles 0 and 4 stayed
         assertEquals(4, live.thinning());
         assertTrue("size " + live.size(), live.size() >= LiveEvents.CAPACITY / 4);
         assertTrue("size " + live.size(), live.size() <= LiveEvents.CAPACITY * 3 / 4);
@@ -101,15 +101,15 @@ public class LiveEventsTest {
     @Test
     public void ringBelowAQuarterTakesTwiceAsManyTiles() {
         fill(live);
-        live.add(5, 5, 20_000, 1, Claim.OWN, 6);
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
         live.widen();
         assertEquals("more than a quarter", 2, live.thinning());
-        // every other µs from 8,194 on: 4,095 events, and the last one
-        live.expire(8_194);
-        assertEquals(4_096, live.size());
+        // every other µs from 16,386 on: 8,191 events, and the last one
+        live.expire(16_386);
+        assertEquals(8_192, live.size());
         live.widen();
         assertEquals("a quarter", 2, live.thinning());
-        live.expire(8_196);
+        live.expire(16_388);
         live.widen();
         assertEquals(1, live.thinning());
         assertTrue(live.takes(7));
@@ -120,7 +120,7 @@ public class LiveEventsTest {
     @Test
     public void ringThatIsClearedTakesEveryTile() {
         fill(live);
-        live.add(5, 5, 20_000, 1, Claim.OWN, 6);
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
         live.clear();
         assertEquals(0, live.size());
         assertEquals(1, live.thinning());
@@ -151,15 +151,15 @@ public class LiveEventsTest {
     @Test
     public void mergedRingHoldsTheTilesThatBothTake() {
         fill(live);
-        live.add(5, 5, 20_000, 1, Claim.OWN, 6);
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
         LiveEvents other = new LiveEvents();
-        other.add(1, 1, 20_001, 1, Claim.OWN, 7);
-        other.add(1, 1, 20_002, 1, Claim.OWN, 8);
+        other.add(1, 1, 40_001, 1, Claim.OWN, 7);
+        other.add(1, 1, 40_002, 1, Claim.OWN, 8);
         LiveEvents both = new LiveEvents();
         both.fillFrom(other, live);
         assertEquals(2, both.thinning());
-        assertEquals(8_194, both.size());
-        assertEquals(20_002, both.newestUs());
+        assertEquals(16_386, both.size());
+        assertEquals(40_002, both.newestUs());
     }
 
     @Test
@@ -169,10 +169,10 @@ public class LiveEventsTest {
         fill(other);
         LiveEvents both = new LiveEvents();
         both.fillFrom(live, other);
-        // 32,768 of all tiles, 16,384 of every other one
+        // 65,536 of all tiles, 32,768 of every other one
         assertEquals(2, both.thinning());
-        assertEquals(16_384, both.size());
+        assertEquals(32_768, both.size());
         assertEquals(0, both.oldestUs());
-        assertEquals(16_382, both.newestUs());
+        assertEquals(32_766, both.newestUs());
     }
 }
