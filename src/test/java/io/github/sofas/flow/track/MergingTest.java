@@ -1,0 +1,98 @@
+package io.github.sofas.flow.track;
+
+import static io.github.sofas.flow.track.TrackedEdges.ROWS;
+import static org.junit.Assert.assertEquals;
+
+import io.github.sofas.flow.Segment;
+import java.util.List;
+import org.junit.Test;
+
+/** Which planes are taken for one. */
+public class MergingTest {
+    private final TrackedEdges edges = new TrackedEdges();
+
+    @Test
+    public void planesThatMoveAlikeSideBySideAreOneUnderTheOlderId() {
+        edges.begin(40, 10, 100, 1);
+        edges.begin(40, 42, 100, 1);
+        edges.stack.check(edges.nowUs);
+        assertEquals(List.of(1), edges.ids());
+        Segment merged = edges.ended.get(0);
+        assertEquals(2, merged.id());
+        assertEquals(Segment.Fate.MERGED, merged.fate());
+        assertEquals(1, merged.mergedInto());
+        // it has the contours of both
+        edges.nowUs += 10_000;
+        assertEquals(1, edges.label(41, 15));
+        assertEquals(1, edges.label(41, 65));
+    }
+
+    @Test
+    public void mergedPlaneRemembersWhereEitherWasSeen() {
+        edges.begin(20, 10, 100, 1);
+        edges.begin(20, 42, 100, 1);
+        edges.stack.check(edges.nowUs);
+        assertEquals(1, edges.goOn(20, 10, 7));
+        // hidden for 200 ms, in which the contour fades: the lower half was last seen before they merged
+        edges.pause();
+        assertEquals(1, edges.label(47, 57));
+    }
+
+    @Test
+    public void olderPlaneTakesOverWhereverItStandsInTheStack() {
+        // the first ends, and the last takes its place before the second, with the first look at them
+        edges.begin(110, 60, 100, 1);
+        edges.begin(20, 5, 100, 1);
+        edges.begin(20, 37, 100, 1);
+        edges.goOnWithTwo(20, 5, 20, 37, 10);
+        assertEquals(List.of(2), edges.ids());
+        assertEquals(List.of(1, 3), edges.ended.stream().map(Segment::id).toList());
+        assertEquals(2, edges.ended.get(1).mergedInto());
+    }
+
+    @Test
+    public void planesThatMoveApartStayTwo() {
+        edges.begin(60, 10, 100, 1);
+        edges.begin(60, 42, -100, 1);
+        edges.stack.check(edges.nowUs);
+        assertEquals(List.of(1, 2), edges.ids());
+    }
+
+    @Test
+    public void planesThatMoveAlikeApartFromEachOtherAreOneAfterEightPixels() {
+        edges.begin(40, 30, 100, 1);
+        edges.begin(60, 30, 100, 1);
+        edges.goOnWithTwo(40, 30, 60, 30, 6);
+        assertEquals(List.of(1, 2), edges.ids());
+        edges.goOnWithTwo(46, 30, 66, 30, 4);
+        assertEquals(List.of(1), edges.ids());
+    }
+
+    @Test
+    public void planesApartWhoseSpeedsDifferByATwelfthStayTwo() {
+        edges.begin(40, 30, 100, 1);
+        edges.begin(60, 30, 108, 1);
+        long beganUs = edges.nowUs;
+        int first = 1;
+        int second = 1;
+        while (first <= 12) {
+            boolean firstIsNext = first * 108 <= second * 100;
+            edges.nowUs = beganUs + (firstIsNext ? first * 10_000 : second * 1_000_000 / 108);
+            int column = firstIsNext ? 40 + first++ : 60 + second++;
+            for (int y = 0; y < ROWS; y++) {
+                edges.label(column, 30 + y);
+            }
+            edges.stack.check(edges.nowUs);
+        }
+        assertEquals(List.of(1, 2), edges.ids());
+    }
+
+    @Test
+    public void planesThatMoveAlikeFarFromEachOtherStayTwo() {
+        // boxes 29 px long may lie 0.8 of that apart, and no more
+        edges.begin(40, 30, 100, 1);
+        edges.begin(68, 30, 100, 1);
+        edges.goOnWithTwo(40, 30, 68, 30, 10);
+        assertEquals(List.of(1, 2), edges.ids());
+    }
+}

@@ -1,0 +1,100 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.FlowOutput;
+import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A stack of track planes that follow upright edges, which enter a column at a time. At 100 px/s the lifetime of 5 px
+ * is 50 ms.
+ */
+final class TrackedEdges {
+    /** Rows of an edge. */
+    static final int ROWS = 30;
+    /** Columns that it has entered when it is found. */
+    static final int COLUMNS = 5;
+    private static final SensorSize SENSOR = new SensorSize(128, 96);
+    private static final SofasParameters.Track P = SofasParameters.defaults().track();
+
+    final MetricFit fit = newFit();
+    final List<Segment> ended = new ArrayList<>();
+    final TrackPlaneStack stack = new TrackPlaneStack(SENSOR, P, fit, newFit(), ended::add,
+        (segment, motion) -> { });
+    final FlowOutput output = new FlowOutput(1);
+    long nowUs = 1_000_000;
+
+    private static MetricFit newFit() {
+        return new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
+    }
+
+    /** An edge that has come to a column by now, each pixel of which fired some times as the edge entered it. */
+    void begin(int column, int row, double vx, int times) {
+        begin(column, row, vx, times, COLUMNS);
+    }
+
+    /** The same of one that was seen to enter so many columns. */
+    void begin(int column, int row, double vx, int times, int columns) {
+        TrackPlane plane = stack.found().create(nowUs, vx, 0);
+        for (int c = columns - 1; c >= 0; c--) {
+            long timeUs = nowUs - (long) (c * 1e6 / Math.abs(vx));
+            for (int i = 0; i < times * ROWS; i++) {
+                plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs, 1);
+            }
+        }
+        stack.found().begin(plane, nowUs);
+        stack.adopt();
+    }
+
+    /** The segment that an ON event of now is given. */
+    int label(int x, int y) {
+        output.segment[0] = -1;
+        if (stack.label(x, y, nowUs, 1, output, 0)) {
+            assertTrue(output.segment[0] > 0);
+        }
+        return output.segment[0];
+    }
+
+    /** An edge goes on for some columns, each of which it enters after 10 ms. */
+    int goOn(int column, int row, int columns) {
+        int segment = 0;
+        for (int c = 1; c <= columns; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                segment = label(column + c, row + y);
+            }
+            stack.check(nowUs);
+        }
+        return segment;
+    }
+
+    /** Two edges go on for some columns, each of which they enter after 10 ms; then the planes are looked after. */
+    void goOnWithTwo(int column, int row, int otherColumn, int otherRow, int columns) {
+        for (int c = 1; c <= columns; c++) {
+            nowUs += 10_000;
+            for (int y = 0; y < ROWS; y++) {
+                label(column + c, row + y);
+                label(otherColumn + c, otherRow + y);
+            }
+        }
+        stack.check(nowUs);
+    }
+
+    /** No events come for 200 ms. */
+    void pause() {
+        for (int i = 0; i < 40; i++) {
+            nowUs += 5_000;
+            stack.check(nowUs);
+        }
+    }
+
+    /** Ids of the planes. */
+    List<Integer> ids() {
+        return stack.segments().stream().map(Segment::id).toList();
+    }
+}
