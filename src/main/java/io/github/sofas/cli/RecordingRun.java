@@ -111,7 +111,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
                 for (TableFormat format : formats) {
                     tables.open(format, results, names, metadata);
                 }
-                steps = new RunSteps(reader, method, tables, report, progress);
+                steps = RunSteps.of(reader, method, tables, report, progress);
                 BatchPipeline.run(steps, threads);
             }
             RecordingSummary read = Summaries.of(source, reader, steps.damage());

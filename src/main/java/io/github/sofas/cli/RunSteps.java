@@ -15,16 +15,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** What is done with each batch of a recording, and how long it took; each step has its own figures. */
-final class RunSteps implements BatchPipeline.Steps {
+/**
+ * What is done with each batch of a recording, and how long it took; each step has its own figures. What looks ahead
+ * gives events back later than they are read.
+ */
+abstract class RunSteps implements BatchPipeline.Steps {
     private final RecordingReader reader;
-    /** One of the two; what looks ahead gives events back later than they are read. */
-    private final EventLabeller labeller;
-    private final SmoothedSofas ahead;
     private final RunTables tables;
     private final ReportCollector report;
     private final RunProgress progress;
-    private final List<Segment> ended = new ArrayList<>();
+    private final List<Segment> ended;
     private final WithoutFlow withoutFlow;
     private EventSourceException damage;
     private Exception reportFailure;
@@ -35,20 +35,114 @@ final class RunSteps implements BatchPipeline.Steps {
     private long eventsWithFlow;
     private long bytesShown;
 
+    private RunSteps(RecordingReader reader, List<Segment> ended, RunTables tables, ReportCollector report,
+                     RunProgress progress) {
+        this.reader = reader;
+        this.ended = ended;
+        this.tables = tables;
+        this.report = report;
+        this.progress = progress;
+        withoutFlow = new WithoutFlow(reader.sensor());
+    }
+
     /**
      * Makes the steps of one run.
      *
      * @param report takes the labelled events, too; null where there is to be none
      */
-    RunSteps(RecordingReader reader, MethodChoice method, RunTables tables, ReportCollector report,
-             RunProgress progress) {
-        this.reader = reader;
-        labeller = method.looksAhead() ? null : method.make(reader.sensor(), ended::add);
-        ahead = method.looksAhead() ? method.ahead(reader.sensor(), ended::add) : null;
-        this.tables = tables;
-        this.report = report;
-        this.progress = progress;
-        withoutFlow = new WithoutFlow(reader.sensor());
+    static RunSteps of(RecordingReader reader, MethodChoice method, RunTables tables, ReportCollector report,
+                       RunProgress progress) {
+        List<Segment> ended = new ArrayList<>();
+        return method.looksAhead()
+            ? new Ahead(method.ahead(reader.sensor(), ended::add), reader, ended, tables, report, progress)
+            : new AtOnce(method.make(reader.sensor(), ended::add), reader, ended, tables, report, progress);
+    }
+
+    /** Labels a batch before the next is read. */
+    private static final class AtOnce extends RunSteps {
+        private final EventLabeller labeller;
+
+        AtOnce(EventLabeller labeller, RecordingReader reader, List<Segment> ended, RunTables tables,
+               ReportCollector report, RunProgress progress) {
+            super(reader, ended, tables, report, progress);
+            this.labeller = labeller;
+        }
+
+        @Override
+        public void helpedBy(Consumer<Runnable> helper) {
+            labeller.helpedBy(helper);
+        }
+
+        @Override
+        void labelNow(BatchPipeline.Slot slot) {
+            labeller.process(slot.events, slot.flow);
+        }
+
+        @Override
+        public void write(BatchPipeline.Slot slot) throws IOException {
+            writeRows(slot);
+        }
+
+        @Override
+        public void finish(BatchPipeline.Slot slot) {
+            // nothing is held back
+        }
+
+        @Override
+        List<Segment> living() {
+            return labeller.segments();
+        }
+    }
+
+    /** Labels a batch when what follows it is known; looking at it from both sides is a part of writing. */
+    private static final class Ahead extends RunSteps {
+        private final SmoothedSofas sofas;
+
+        Ahead(SmoothedSofas sofas, RecordingReader reader, List<Segment> ended, RunTables tables,
+              ReportCollector report, RunProgress progress) {
+            super(reader, ended, tables, report, progress);
+            this.sofas = sofas;
+        }
+
+        @Override
+        public void helpedBy(Consumer<Runnable> helper) {
+            sofas.helpedBy(helper);
+        }
+
+        @Override
+        void labelNow(BatchPipeline.Slot slot) {
+            sofas.label(slot.events, slot.causal);
+        }
+
+        @Override
+        public void write(BatchPipeline.Slot slot) throws IOException {
+            look(() -> sofas.add(slot.causal), slot);
+        }
+
+        @Override
+        public void finish(BatchPipeline.Slot slot) throws IOException {
+            slot.bytesRead = super.bytesShown;
+            look(sofas::finish, slot);
+        }
+
+        /** Writes the events that can be labelled after a step, in place of those that were read. */
+        private void look(Runnable step, BatchPipeline.Slot slot) throws IOException {
+            long start = System.nanoTime();
+            step.run();
+            boolean more = sofas.next(slot.events, slot.flow);
+            super.lookAheadNs += System.nanoTime() - start;
+            while (more) {
+                writeRows(slot);
+                start = System.nanoTime();
+                more = sofas.next(slot.events, slot.flow);
+                super.lookAheadNs += System.nanoTime() - start;
+            }
+        }
+
+        @Override
+        List<Segment> living() {
+            return sofas.segments();
+        }
     }
 
     @Override
@@ -66,57 +160,20 @@ final class RunSteps implements BatchPipeline.Steps {
     }
 
     @Override
-    public void helpedBy(Consumer<Runnable> helper) {
-        if (ahead == null) {
-            labeller.helpedBy(helper);
-        } else {
-            ahead.helpedBy(helper);
-        }
-    }
-
-    @Override
     public void label(BatchPipeline.Slot slot) {
         long start = System.nanoTime();
-        if (ahead == null) {
-            labeller.process(slot.events, slot.flow);
-        } else {
-            ahead.label(slot.events, slot.causal);
-        }
+        labelNow(slot);
         engineNs += System.nanoTime() - start;
     }
 
-    @Override
-    public void write(BatchPipeline.Slot slot) throws IOException {
-        if (ahead == null) {
-            writeRows(slot);
-        } else {
-            lookAhead(() -> ahead.add(slot.causal), slot);
-        }
-    }
+    /** Labels a batch, which is timed. */
+    abstract void labelNow(BatchPipeline.Slot slot);
 
-    @Override
-    public void finish(BatchPipeline.Slot slot) throws IOException {
-        if (ahead != null) {
-            slot.bytesRead = bytesShown;
-            lookAhead(ahead::finish, slot);
-        }
-    }
+    /** The segments that live. */
+    abstract List<Segment> living();
 
-    /** Writes the events that can be labelled after a step, in place of those that were read. */
-    private void lookAhead(Runnable step, BatchPipeline.Slot slot) throws IOException {
-        long start = System.nanoTime();
-        step.run();
-        boolean more = ahead.next(slot.events, slot.flow);
-        lookAheadNs += System.nanoTime() - start;
-        while (more) {
-            writeRows(slot);
-            start = System.nanoTime();
-            more = ahead.next(slot.events, slot.flow);
-            lookAheadNs += System.nanoTime() - start;
-        }
-    }
-
-    private void writeRows(BatchPipeline.Slot slot) throws IOException {
+    /** Writes the labelled events of a slot, and counts them. */
+    final void writeRows(BatchPipeline.Slot slot) throws IOException {
         long start = System.nanoTime();
         tables.write(slot.events, slot.flow);
         addToReport(slot);
@@ -161,7 +218,7 @@ final class RunSteps implements BatchPipeline.Steps {
     /** All segments: those that ended, then those that live. */
     List<Segment> segments() {
         List<Segment> all = new ArrayList<>(ended);
-        all.addAll(ahead == null ? labeller.segments() : ahead.segments());
+        all.addAll(living());
         return all;
     }
 
