@@ -166,13 +166,15 @@ final class RunCommand implements Callable<Integer> {
         OutputFiles outputs = new OutputFiles(spec.commandLine());
         List<Path> inputs = new ArrayList<>(named.values());
         inputs.add(parameterOptions.config());
-        outputs.check(inputs, runs.stream().flatMap(run -> run.files().stream()).toList());
+        List<Path> files = runs.stream().flatMap(run -> run.files().stream()).toList();
+        outputs.check(inputs, files);
         outputs.makeFolder(out);
+        outputs.checkPlaces(files);
         if (results.resumes()) {
             return toResume(runs);
         }
         if (!results.replaces()) {
-            outputs.refuseExisting(runs.stream().flatMap(run -> run.files().stream()).toList());
+            outputs.refuseExisting(files);
         }
         return runs;
     }

@@ -548,14 +548,16 @@ public class RunCommandTest {
     }
 
     @Test
-    public void leavesNothingWhereAResultCannotBeWritten() throws IOException {
+    public void directoryInPlaceOfAResultIsRefusedBeforeAnythingIsLabelled() throws IOException {
         Path edge = writeEdge(root.resolve("edge.aedat"));
         Path directory = Files.createDirectories(out.resolve("edge.summary.json"));
-        Executed run = run(edge, "--force");
-        assertEquals("[edge.aedat] results cannot be written: " + directory + ": is a directory\n"
-            + "1 of 1 recording failed: " + edge + "\n", run.err);
-        assertEquals(1, run.exitCode);
-        assertEquals(Set.of("edge.summary.json"), filesIn(out));
+        for (String option : List.of("--force", "--resume")) {
+            Executed run = run(edge, option);
+            assertEquals("[" + directory + "] is a directory and cannot be written\nTry 'sofas run --help'.\n",
+                run.err);
+            assertEquals(2, run.exitCode);
+            assertEquals(Set.of("edge.summary.json"), filesIn(out));
+        }
     }
 
     @Test
