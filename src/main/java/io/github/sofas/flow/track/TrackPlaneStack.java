@@ -15,20 +15,14 @@ import java.util.function.Consumer;
 /**
  * The structures that are tracked (paper, section Algorithm).
  *
- * <p>Ours: an event is not offered to the planes in turn but goes to the one whose nearest cells explain most of its
- * past. In turn, the older of two crossing structures would take the other's events.
+ * <p>Ours: an event is not offered to the planes in turn but goes to the best of the {@link Candidates}. In turn, the
+ * older of two crossing structures would take the other's events.
  */
 public final class TrackPlaneStack {
     /** Most events that a track plane's motion is measured from. */
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
-    /** Close support decides whose an event is, and support by all cells around it where that is the same. */
-    private static final int CLOSE_WEIGHT = 4 * ContourCells.SIXTEENTHS;
-    /** Score of the second best plane, as a share of the best, that hides the velocity: crossing objects pull. */
-    private static final double SHARED_SCORE = 0.5;
-    /** Support below this many thresholds is weak. */
-    private static final int WEAK = 2;
 
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
@@ -39,6 +33,8 @@ public final class TrackPlaneStack {
     private LiveEvents spare = new LiveEvents();
     private final Merging merging = new Merging();
     private final Doubts doubts;
+    private final PixelHistory history;
+    private final Candidates candidates = new Candidates();
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
@@ -55,6 +51,7 @@ public final class TrackPlaneStack {
         this.ended = ended;
         found = new FoundPlanes(sensor, p, foundFit, measured);
         doubts = new Doubts(sensor);
+        history = new PixelHistory(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
         found.open(planes.length, unused);
     }
@@ -63,7 +60,7 @@ public final class TrackPlaneStack {
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more ring, for merging
         return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
-            + Doubts.bytes(sensor);
+            + Doubts.bytes(sensor) + PixelHistory.bytes(sensor);
     }
 
     /**
@@ -74,38 +71,21 @@ public final class TrackPlaneStack {
      * @return whether the event is explained; if not, it may be one of a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
-        TrackPlane best = null;
-        int support = 0;
-        int closeSupport = 0;
-        int most = Integer.MIN_VALUE;
-        int second = Integer.MIN_VALUE;
+        candidates.clear();
         for (int k = 0; k < size; k++) {
-            TrackPlane plane = planes[k];
-            int its = plane.support(x, y, timeUs, polarity);
-            if (its >= plane.threshold()) {
-                int close = plane.closeSupport(polarity);
-                int score = close * CLOSE_WEIGHT + its;
-                if (score > most) {
-                    second = most;
-                    best = plane;
-                    most = score;
-                    support = its;
-                    closeSupport = close;
-                } else if (score > second) {
-                    second = score;
-                }
-            }
+            candidates.offer(planes[k], x, y, timeUs, polarity);
         }
+        TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
+        history.note(x, y, timeUs, polarity);
         boolean explained = true;
         Claim claim;
         if (best == null) {
             best = remembering(x, y, timeUs);
             claim = Claim.REMEMBERED;
         } else {
-            boolean doubtful = closeSupport < best.sureSupport();
+            boolean doubtful = candidates.isDoubtful();
             explained = !(doubts.note(x, y, doubtful) && doubtful);
-            boolean isShared = second > SHARED_SCORE * most
-                || support < WEAK * best.threshold() && isRememberedByOther(best, x, y, timeUs);
+            boolean isShared = candidates.areClose() || candidates.isWeak() && isRememberedByOther(best, x, y, timeUs);
             claim = isShared ? Claim.SHARED : Claim.OWN;
         }
         if (best == null) {
@@ -267,6 +247,7 @@ public final class TrackPlaneStack {
         found.reset();
         found.open(planes.length, unused);
         doubts.reset();
+        history.clear();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }

@@ -99,6 +99,40 @@ public class TrackPlaneStackTest {
         assertEquals(2, edges.label(40, 45));
     }
 
+    /** The plane of an event at (40, 45), which an edge reached from the right through so many columns. */
+    private int planeOfEdgeFromTheRight(int columns) {
+        edges.nowUs -= columns * 10_000;
+        for (int c = columns; c >= 1; c--) {
+            assertEquals("none is tracked yet", 0, edges.label(40 + c, 45));
+            edges.nowUs += 10_000;
+        }
+        // the contour of the first is nearer, as above
+        edges.begin(40, 30, 100, 1);
+        edges.begin(40, 30, -100, 9, 3);
+        return edges.label(40, 45);
+    }
+
+    @Test
+    public void eventGoesToThePlaneAlongWhoseMotionItsEdgeCame() {
+        assertEquals(2, planeOfEdgeFromTheRight(2));
+        assertEquals(-100, edges.output.vxPxPerS[0], 3);
+    }
+
+    @Test
+    public void eventWhoseEdgeCameOnePxFartherStaysWithTheNearestContour() {
+        assertEquals(1, planeOfEdgeFromTheRight(1));
+    }
+
+    @Test
+    public void resetForgetsWhereEdgesCameFrom() {
+        edges.label(42, 45);
+        edges.nowUs += 10_000;
+        edges.label(41, 45);
+        edges.nowUs += 10_000;
+        edges.stack.reset();
+        assertEquals(1, planeOfEdgeFromTheRight(0));
+    }
+
     /**
      * An edge of which five columns were seen, each in another sixteenth, so that its support is 10; and nine dots on
      * the tile of 8 px at (80, 32), so far apart that none supports another, that were seen twice: 4, less than 0.6 of

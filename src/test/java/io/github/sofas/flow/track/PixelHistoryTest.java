@@ -1,0 +1,136 @@
+package io.github.sofas.flow.track;
+
+import static org.junit.Assert.assertEquals;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import org.junit.Test;
+
+/** Traces of an event at (40, 20) at 1 s. A px of travel takes 10 ms at 100 px/s. */
+public class PixelHistoryTest {
+    private static final long NOW_US = 1_000_000;
+    private static final int X = 40;
+    private static final int Y = 20;
+
+    private final PixelHistory history = new PixelHistory(new SensorSize(64, 48));
+
+    private static Motion motion(double vx, double vy) {
+        Motion motion = new Motion();
+        motion.set(NOW_US, vx, vy);
+        return motion;
+    }
+
+    private int trace(double vx, double vy) {
+        return history.trace(X, Y, NOW_US, 1, motion(vx, vy));
+    }
+
+    /** An edge that entered each of so many columns before the event's, 10 ms apart. */
+    private void edge(int columns, int row, int polarity) {
+        for (int c = columns; c >= 1; c--) {
+            history.note(X - c, row, NOW_US - c * 10_000, polarity);
+        }
+    }
+
+    @Test
+    public void eachPxOfTravelOnItsPixelCountsThree() {
+        assertEquals(0, trace(100, 0));
+        edge(5, Y, 1);
+        assertEquals(5 * 3, trace(100, 0));
+        edge(20, Y, 1);
+        assertEquals("eight px at most", 8 * 3, trace(100, 0));
+    }
+
+    @Test
+    public void pxOfTravelBesideItsPixelCountsOne() {
+        // a row below, where the edge was at 20.1 to 20.8; from the sixth on row 21 is its own
+        edge(8, Y + 1, 1);
+        assertEquals(5 + 3 * 3, trace(100, -10));
+        // where it was above row 20, row 21 is not beside it
+        assertEquals(0, trace(100, 10));
+    }
+
+    @Test
+    public void eventsAtOtherTimesDoNotCount() {
+        edge(8, Y, 1);
+        // at twice the speed the edge was a px back 5 ms ago, when nothing fired
+        assertEquals(0, trace(200, 0));
+        assertEquals(0, trace(-100, 0));
+    }
+
+    @Test
+    public void eventOfATimeWithinHalfAPxOfTravelCounts() {
+        history.note(X - 2, Y, NOW_US - 25_000, 1);
+        assertEquals("25 of 15 to 25 ms", 3, trace(100, 0));
+        history.note(X - 3, Y, NOW_US - 35_001, 1);
+        assertEquals("35.001 of 25 to 35 ms", 3, trace(100, 0));
+    }
+
+    @Test
+    public void otherPolarityDoesNotCount() {
+        edge(8, Y, -1);
+        assertEquals(0, trace(100, 0));
+        assertEquals(24, history.trace(X, Y, NOW_US, -1, motion(100, 0)));
+    }
+
+    @Test
+    public void pixelFindsItsEventsBehindLaterOnes() {
+        edge(8, Y, 1);
+        // seven more on each pixel since
+        for (int c = 8; c >= 1; c--) {
+            for (int later = 1; later <= 7; later++) {
+                history.note(X - c, Y, NOW_US - 100 + later, 1);
+            }
+        }
+        assertEquals(24, trace(100, 0));
+        for (int c = 8; c >= 1; c--) {
+            history.note(X - c, Y, NOW_US, 1);
+        }
+        assertEquals("eight are kept", 0, trace(100, 0));
+    }
+
+    @Test
+    public void traceOfWhatTurnsFollowsTheVelocityAtTheEvent() {
+        edge(8, Y, 1);
+        Motion motion = motion(0, 0);
+        motion.centreX = X;
+        motion.centreY = Y + 50;
+        motion.omega = 2;
+        // 50 px above the centre, 2 rad/s: 100 px/s to the right
+        assertEquals(24, history.trace(X, Y, NOW_US, 1, motion));
+    }
+
+    @Test
+    public void edgesAtTheBorderComeFromWhereThereIsNone() {
+        history.note(0, Y, NOW_US - 10_000, 1);
+        assertEquals(3, history.trace(1, Y, NOW_US, 1, motion(100, 0)));
+        assertEquals(0, history.trace(63, 47, NOW_US, 1, motion(-100, -100)));
+    }
+
+    @Test
+    public void whatStandsHasNoTrace() {
+        edge(8, Y, 1);
+        assertEquals(0, trace(0, 0));
+    }
+
+    @Test
+    public void longTimesAndPausesChangeNothing() {
+        // the origin moves each 2^30 µs, about 18 minutes
+        long startUs = NOW_US - 8 * 10_000;
+        history.note(0, 0, startUs - (1L << 30) + 50_000, 1);
+        edge(8, Y, 1);
+        history.note(0, 0, startUs + 50_000, 1);
+        assertEquals(24, trace(100, 0));
+        long nextUs = NOW_US + (1L << 40);
+        history.note(0, 0, nextUs, 1);
+        assertEquals(0, history.trace(X, Y, nextUs, 1, motion(100, 0)));
+        history.note(X - 1, Y, nextUs + 10_000, 1);
+        assertEquals(3, history.trace(X, Y, nextUs + 20_000, 1, motion(100, 0)));
+    }
+
+    @Test
+    public void nothingIsLeftOnceItIsCleared() {
+        edge(8, Y, 1);
+        history.clear();
+        assertEquals(0, trace(100, 0));
+    }
+}
