@@ -52,8 +52,7 @@ public final class CentredStep {
         if (top == null) {
             fit.frame(px);
         } else {
-            fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(),
-                MetricFit.neighbourLoss(top.metric()), px);
+            fit.frame(top, MetricFit.neighbourLoss(top.metric()), px);
         }
         top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
         double best = top.bestLoss();

@@ -124,6 +124,11 @@ public final class MetricFit {
         frame.set(ofMetric, xx, xy, yy, share, MIN_STEP_PX * px, MAX_STEP_PX * px);
     }
 
+    /** The same by what a fit found. */
+    public void frame(VelocityTop top, double share, double px) {
+        frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), share, px);
+    }
+
     /**
      * {@return the share of the metric that neighbours must lose to show a top} Few events lose as little by noise:
      * were a metric of less than 2,500 asked for {@link #NEIGHBOUR_LOSS}, no step would ever be taken.

@@ -43,6 +43,13 @@ public final class MotionChange {
     /** The same by rotation, growth and their changes. */
     private static final double TURN_PX = 0.03;
     /**
+     * Measurements in which a structure that was just found settles, and what may be noise until then: corrections of
+     * its first velocity look like changes, and changes that are believed too early swing to and fro.
+     */
+    private static final int SETTLING = 40;
+    private static final double SETTLING_BEND_PX = 0.07;
+    private static final double SETTLING_TURN_PX = 0.05;
+    /**
      * What a single event would add to what may be noise of an acceleration, in px, and of turning and growing; many
      * add less, by their number, because they meet by its square. Found by a ball before a DVS128, of which 150 events
      * showed accelerations of 4,000 px/s² to and fro.
@@ -100,8 +107,10 @@ public final class MotionChange {
     public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
                         SofasParameters.Track p) {
         radius = structureRadius;
-        bendNoisePx = noisePx(BEND_PX, EVENT_BEND_PX, fit.size());
-        turnNoisePx = noisePx(TURN_PX, EVENT_TURN_PX, fit.size());
+        measurements++;
+        boolean settles = measurements < SETTLING;
+        bendNoisePx = noisePx(settles ? SETTLING_BEND_PX : BEND_PX, EVENT_BEND_PX, fit.size());
+        turnNoisePx = noisePx(settles ? SETTLING_TURN_PX : TURN_PX, EVENT_TURN_PX, fit.size());
         if (p.acceleration()) {
             measureAcceleration(fit, motion, loss, half);
         } else {
@@ -119,7 +128,7 @@ public final class MotionChange {
 
     private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,
                                       SofasParameters.Track p) {
-        if (measurements++ % STRUCTURE_EVERY == 0) {
+        if (measurements % STRUCTURE_EVERY == 1) {
             fit.structure(structure, radius);
         }
         double perPx = 1 / (half * radius); // shifts both ends by one pixel at the radius

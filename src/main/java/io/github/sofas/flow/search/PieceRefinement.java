@@ -150,7 +150,7 @@ final class PieceRefinement {
         } else if (fits == MOST_FITS || fits >= 3 && top.steps() < 0.3) {
             arrive(top);
         } else {
-            fit.frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), MetricFit.NEIGHBOUR_LOSS, px());
+            fit.frame(top, MetricFit.NEIGHBOUR_LOSS, px());
         }
     }
 
