@@ -164,8 +164,9 @@ public class NothingLostTest {
         assertEquals(late.err, 0, late.exitCode);
         assertTrue(Files.exists(out.resolve("late.report.html")));
 
-        // where the report cannot be written, a folder has its name
-        Files.createDirectories(out.resolve("e.report.html"));
+        // where the report cannot be written, what it is written to is full
+        Files.createSymbolicLink(out.resolve(".e.report.html." + ProcessHandle.current().pid() + ".part"),
+            Path.of("/dev/full"));
         Executed run = sofas("run", recording, "--out", out, "--report", "-q", "-f");
         assertEquals(1, run.exitCode);
         assertTrue(run.err, run.err.startsWith("[e.aedat] all results are there but the report, which cannot be "

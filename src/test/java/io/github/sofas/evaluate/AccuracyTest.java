@@ -153,7 +153,7 @@ public class AccuracyTest {
     public void moversThatCrossOrHideEachOtherKeepTheirSegments() {
         assertReaches(Scene.THREE_CROSSING, PLAIN, 8.54, 0.03, 7.79, 28.85);
         assertReaches(Scene.FOUR_BARS, PLAIN, 3.90, 0.35, 12.89, 17.49);
-        assertReaches(Scene.PASSING_BEHIND, PLAIN, 2.95, 0.14, 3.07, 5.23);
+        assertReaches(Scene.PASSING_BEHIND, PLAIN, 1.93, 0.18, 5.56, 11.83);
     }
 
     @Test

@@ -301,8 +301,8 @@ public class TrackPlaneTest {
 
     @Test
     public void tellsNothingOnceItGetsFewEventsAtAVelocityThatWasNotMeasured() {
-        // 100 to 55 px/s: what changes by as much is waited for at other speeds
-        changeSpeedAndThin(-140);
+        // 100 to 39 px/s: what changes by as much is waited for at other speeds
+        changeSpeedAndThin(-170);
         assertEquals(State.WAITED_FOR, plane.update(nowUs));
         assertFalse(plane.isPredictive());
     }
