@@ -76,7 +76,10 @@ public final class TrackPlaneStack {
             candidates.offer(planes[k], x, y, timeUs, polarity);
         }
         TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
-        history.note(x, y, timeUs, polarity);
+        if (size > 1) {
+            // else nobody will ask, and the memory of a wall's events alone would cost a third of their labels
+            history.note(x, y, timeUs, polarity);
+        }
         boolean explained = true;
         Claim claim;
         if (best == null) {

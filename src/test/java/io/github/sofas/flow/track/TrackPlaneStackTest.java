@@ -99,14 +99,21 @@ public class TrackPlaneStackTest {
         assertEquals(2, edges.label(40, 45));
     }
 
+    /** Planes 1 and 2: of one alone it is not noted where events were. */
+    private void beginTwoElsewhere() {
+        edges.begin(110, 0, 100, 1);
+        edges.begin(90, 60, -100, 1);
+    }
+
     /** The plane of an event at (40, 45), which an edge reached from the right through so many columns. */
     private int planeOfEdgeFromTheRight(int columns) {
+        beginTwoElsewhere();
         edges.nowUs -= columns * 10_000;
         for (int c = columns; c >= 1; c--) {
-            assertEquals("none is tracked yet", 0, edges.label(40 + c, 45));
+            assertEquals("none expects it yet", 0, edges.label(40 + c, 45));
             edges.nowUs += 10_000;
         }
-        // the contour of the first is nearer, as above
+        // the contour of the first, plane 3, is nearer, as above
         edges.begin(40, 30, 100, 1);
         edges.begin(40, 30, -100, 9, 3);
         return edges.label(40, 45);
@@ -114,23 +121,24 @@ public class TrackPlaneStackTest {
 
     @Test
     public void eventGoesToThePlaneAlongWhoseMotionItsEdgeCame() {
-        assertEquals(2, planeOfEdgeFromTheRight(2));
+        assertEquals(4, planeOfEdgeFromTheRight(2));
         assertEquals(-100, edges.output.vxPxPerS[0], 3);
     }
 
     @Test
     public void eventWhoseEdgeCameOnePxFartherStaysWithTheNearestContour() {
-        assertEquals(1, planeOfEdgeFromTheRight(1));
+        assertEquals(3, planeOfEdgeFromTheRight(1));
     }
 
     @Test
     public void resetForgetsWhereEdgesCameFrom() {
+        beginTwoElsewhere();
         edges.label(42, 45);
         edges.nowUs += 10_000;
         edges.label(41, 45);
         edges.nowUs += 10_000;
         edges.stack.reset();
-        assertEquals(1, planeOfEdgeFromTheRight(0));
+        assertEquals(3, planeOfEdgeFromTheRight(0));
     }
 
     /**
