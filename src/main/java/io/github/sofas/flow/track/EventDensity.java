@@ -31,8 +31,7 @@ final class EventDensity {
         return live.size() < Measurement.LEAST_EVENTS || now(live, lifetimePx) < share * usual;
     }
 
-    /** Events of the structure per px of travel, those of tiles that are not taken included. */
     private static double now(LiveEvents live, double lifetimePx) {
-        return live.size() * (double) live.thinning() / lifetimePx;
+        return live.given() / lifetimePx;
     }
 }

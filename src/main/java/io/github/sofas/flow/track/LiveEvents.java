@@ -34,6 +34,8 @@ final class LiveEvents {
     private int halvings;
     /** Events for which it is not asked again whether tiles can be halved. */
     private int refused;
+    /** How many of the oldest events came when only half of the tiles were taken that are now. */
+    private int ofHalfTheTiles;
 
     int size() {
         return size;
@@ -46,6 +48,11 @@ final class LiveEvents {
     /** The structure's events to those that are taken. */
     int thinning() {
         return 1 << halvings;
+    }
+
+    /** How many events the structure gave, those of tiles that were not taken included. */
+    long given() {
+        return (long) (size + ofHalfTheTiles) << halvings;
     }
 
     /** Whether events of a tile are taken. */
@@ -101,7 +108,7 @@ final class LiveEvents {
     private void makeRoom() {
         if (refused > 0) {
             refused--;
-            size--;
+            letOldestGo();
             return;
         }
         int staying = 0;
@@ -113,12 +120,18 @@ final class LiveEvents {
             halve();
         } else {
             refused = CAPACITY / LEAST_PART;
-            size--;
+            letOldestGo();
         }
+    }
+
+    private void letOldestGo() {
+        size--;
+        ofHalfTheTiles = Math.max(0, ofHalfTheTiles - 1);
     }
 
     private void halve() {
         halvings++;
+        ofHalfTheTiles = 0;
         int n = size;
         int from = head - n;
         head = from;
@@ -135,18 +148,20 @@ final class LiveEvents {
     void widen() {
         if (halvings > 0 && size < CAPACITY / 4) {
             halvings--;
+            ofHalfTheTiles = size;
         }
     }
 
     /** Lets the events before a time go. */
     void expire(long beforeUs) {
         while (size > 0 && oldestUs() < beforeUs) {
-            size--;
+            letOldestGo();
         }
     }
 
     void clear() {
         size = 0;
+        ofHalfTheTiles = 0;
         halvings = 0;
         refused = 0;
     }

@@ -118,6 +118,24 @@ public class LiveEventsTest {
     }
 
     @Test
+    public void eventsOfBeforeTilesWereTakenAgainStandForAsManyAsBefore() {
+        fill(live);
+        assertEquals(32_768, live.given());
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
+        assertEquals(2 * 16_385, live.given());
+        // every other µs from 16,388 on: 8,190 events, and the last one
+        live.expire(16_388);
+        live.widen();
+        assertEquals(2 * 8_191, live.given());
+        live.add(5, 5, 40_001, 1, Claim.OWN, 7);
+        assertEquals(2 * 8_191 + 1, live.given());
+        live.expire(16_390);
+        assertEquals(2 * 8_190 + 1, live.given());
+        live.expire(40_001);
+        assertEquals(1, live.given());
+    }
+
+    @Test
     public void ringThatIsClearedTakesEveryTile() {
         fill(live);
         live.add(5, 5, 40_000, 1, Claim.OWN, 6);
