@@ -109,6 +109,20 @@ public class RealScenesTest {
             Map.Entry.comparingByValue((a, b) -> Integer.compare(a.size(), b.size()))).getKey();
     }
 
+    /** At rest for a moment at 0.35 s; the best single translation at 0.5 to 0.6 s is 86 to 96 px/s to the right. */
+    @Test
+    public void headThatTurnsBackIsFollowedByItsSegment() throws Exception {
+        for (double lifetimePx : new double[] {4, 4.5, 5, 5.5, 6}) {
+            run("moving-head.aedat4", null, SofasParameters.defaults().with("lifetimePx", lifetimePx));
+            List<Labelled> there = between(0.2, 0.25, 0, 240);
+            List<Labelled> back = between(0.5, 0.6, 0, 240);
+            assertEquals(-65, medianVx(there), 10);
+            assertEquals("lifetime " + lifetimePx, 86, medianVx(back), 10);
+            assertEquals("lifetime " + lifetimePx, main(there), main(back));
+            assertTrue("lifetime " + lifetimePx + ": " + back.size(), back.size() > 0.85 * 31_556);
+        }
+    }
+
     @Test
     public void squareMovesAsItWasDrawn() throws Exception {
         run("synthetic-square.aedat", "DAVIS240C");

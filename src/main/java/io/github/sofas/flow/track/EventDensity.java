@@ -1,13 +1,24 @@
 package io.github.sofas.flow.track;
 
+import io.github.sofas.flow.motion.Motion;
+
 /**
  * Events that a structure gives per pixel of its travel, as many at any speed: whether it gets as many as usual tells
- * whether it is where its motion expects it.
+ * whether it is where its motion expects it, and whether they come faster than its motion takes it on.
  */
 final class EventDensity {
+    /** Travel whose usual events tell how fast they come now, in px. */
+    private static final double RUSH_PX = 1;
+    /** Part of that travel which the motion explains, below which events come too fast for it. */
+    private static final double RUSH_SHARE = 0.15;
+    /** Fewest events that tell it. */
+    private static final int LEAST_RUSH = 100;
+    /** Parts of the time of these events in which the motion's speed is looked at. */
+    private static final int PARTS = 4;
     /** What is left of the usual density with each look at it, and what is taken of the one of now. */
     private static final double USUAL_KEPT = 0.999;
 
+    private final Motion past = new Motion();
     private double usual;
 
     /** Begins with a structure of which nothing is usual yet. */
@@ -31,6 +42,33 @@ final class EventDensity {
         return live.size() < Measurement.LEAST_EVENTS || now(live, lifetimePx) < share * usual;
     }
 
+    /** How many live events it usually gives over some travel, of the tiles that are taken. */
+    int usually(LiveEvents live, double px) {
+        return (int) Math.min(Integer.MAX_VALUE, usual * px / live.thinning());
+    }
+
+    /**
+     * Whether the newest events come so fast that the structure must move faster than its motion says: in another
+     * direction, since else that would have followed.
+     *
+     * @param radius of the structure in px
+     */
+    boolean isRushed(LiveEvents live, Motion motion, double radius, long nowUs) {
+        int newest = usually(live, RUSH_PX);
+        if (newest < LEAST_RUSH || newest > live.size()) {
+            return false;
+        }
+        long us = nowUs - live.timeUs[live.index(live.size() - newest)];
+        past.copyFrom(motion);
+        double speeds = 0;
+        for (int i = 0; i < PARTS; i++) {
+            past.moveReference(nowUs - us * (2 * i + 1) / (2 * PARTS));
+            speeds += past.speed(radius);
+        }
+        return speeds / PARTS * us * 1e-6 < RUSH_SHARE * RUSH_PX;
+    }
+
+    /** Events of the structure per px of travel. */
     private static double now(LiveEvents live, double lifetimePx) {
         return live.given() / lifetimePx;
     }

@@ -60,6 +60,11 @@ final class LiveEvents {
         return (tileHash & (1 << halvings) - 1) == 0;
     }
 
+    /** Whether an event, by its index, lies on a tile that is left when they are halved so many times. */
+    boolean isLeftBy(int times, int i) {
+        return (tile[i] & (1 << halvings + times) - 1) == 0;
+    }
+
     /** Index into the arrays of the k-th event, 0 the oldest. */
     int index(int k) {
         return head - size + k & MASK;
@@ -155,6 +160,13 @@ final class LiveEvents {
     /** Lets the events before a time go. */
     void expire(long beforeUs) {
         while (size > 0 && oldestUs() < beforeUs) {
+            letOldestGo();
+        }
+    }
+
+    /** Lets all but so many of the newest go. */
+    void keepNewest(int most) {
+        while (size > most) {
             letOldestGo();
         }
     }

@@ -34,6 +34,8 @@ public final class TrackPlane {
      * takes to turn back.
      */
     private static final int ADRIFT_PART = 2;
+    /** Part of the events in which a velocity was looked for that must be new to look again. */
+    private static final int LOOK_PART = 4;
 
     /** What is to be done with a structure. */
     enum State {
@@ -55,6 +57,7 @@ public final class TrackPlane {
     private final Measurement measurement;
     private final MeasuredMotion measured;
     private final EventDensity density = new EventDensity();
+    private final FreshVelocity fresh = new FreshVelocity();
 
     private int served;
     private long firstUs;
@@ -69,6 +72,8 @@ public final class TrackPlane {
     private int sinceMeasured;
     private long measuredUs;
     private long widenedUs;
+    /** When its velocity was looked for anew last. */
+    private long lookedUs;
 
     TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
         this.sensor = sensor;
@@ -104,6 +109,7 @@ public final class TrackPlane {
         sinceMeasured = 0;
         measuredUs = nowUs;
         widenedUs = nowUs;
+        lookedUs = nowUs;
     }
 
     /** Gives it its number, under which its motion is told from then on. */
@@ -250,7 +256,9 @@ public final class TrackPlane {
             live.widen();
         }
         contour.fade(nowUs, lifetimeUs);
-        density.follow(live, measurement.lifetimePx());
+        if (!density.isRushed(live, motion, contour.radius(), nowUs)) {
+            density.follow(live, measurement.lifetimePx());
+        }
         if (!isStarved()) {
             state = State.TRACKED;
         } else if (state == State.TRACKED) {
@@ -291,7 +299,11 @@ public final class TrackPlane {
         }
         before.copyFrom(motion);
         before.moveReference(nowUs);
-        density.follow(live, measurement.lifetimePx());
+        if (density.isRushed(live, before, contour.radius(), nowUs)) {
+            lookAnew(fit, nowUs);
+        } else {
+            density.follow(live, measurement.lifetimePx());
+        }
         if (isStarved()) {
             // what is left is noise, or too little: the motion is held
             measurement.hold(motion);
@@ -302,6 +314,23 @@ public final class TrackPlane {
             measurement.judge(true, motion, live, contour.radius(), fit, nowUs);
         }
         carryOn(nowUs);
+    }
+
+    /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
+    private void lookAnew(MetricFit fit, long nowUs) {
+        int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
+        int newest = Math.min(live.size(), usual);
+        long fromUs = live.timeUs[live.index(live.size() - newest)];
+        if (nowUs - lookedUs < (nowUs - fromUs) / LOOK_PART) {
+            return;
+        }
+        lookedUs = nowUs;
+        if (fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, before, contour.radius(), fit)) {
+            live.keepNewest(newest);
+            motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
+            measurement.restart();
+            lifetimeUs = lifetime();
+        }
     }
 
     /** Goes on along the motion as it is known now. */
