@@ -48,8 +48,8 @@ final class EventDensity {
     }
 
     /**
-     * Whether the newest events come so fast that the structure must move faster than its motion says: in another
-     * direction, since else that would have followed.
+     * Whether the newest events come so fast that the structure must move several times as fast as its motion says. So
+     * far off is none that was followed: it moves in another direction.
      *
      * @param radius of the structure in px
      */

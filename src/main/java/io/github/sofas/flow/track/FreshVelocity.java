@@ -17,9 +17,9 @@ import io.github.sofas.flow.motion.SteppedProjection;
 final class FreshVelocity {
     /** Travel whose usual events are looked at, in px. */
     static final double TRAVEL_PX = 4;
-    /** Speeds that are tried, by that which the number of events tells: what gives more, or less, than usual. */
+    /** Speeds that are tried, as shares of the one that the number of events tells, which is not exactly as usual. */
     private static final double[] SPEEDS = {0.6, 1, 1.5};
-    /** Distance of the velocities that are tried on a ring, over the time of the events, in px. */
+    /** Distance between the velocities of one speed that are tried, over the time of the events, in px. */
     private static final double SPACING_PX = 1.5;
     /** Most events that are looked at; of more, those on a part of the tiles. */
     private static final int MOST_EVENTS = 3000;
@@ -27,7 +27,7 @@ final class FreshVelocity {
     /** Events are projected along the motion in steps of this part of a pixel. */
     private static final double STEP_PX = 1.0 / 32;
     private static final int MOST_FITS = 5;
-    /** Standard deviations by which the metric passes that along the motion, and that at rest. */
+    /** Standard deviations by which the metric must pass that along the motion, and that at rest. */
     private static final double SHOWN_SIGMAS = 10;
     /** Metric per event, at least. */
     private static final double LEAST_DENSITY = 0.7;
@@ -94,7 +94,7 @@ final class FreshVelocity {
         }
     }
 
-    /** Goes to the best velocity of several rings; returns its metric. */
+    /** Goes to the best velocity of several speeds in all directions; returns its metric. */
     private double lookAround(double travelPx, double window, MetricFit fit) {
         double best = 0;
         for (double part : SPEEDS) {
