@@ -58,7 +58,7 @@ final class EventDensity {
         if (newest < LEAST_RUSH || newest > live.size()) {
             return false;
         }
-        long us = nowUs - live.timeUs[live.index(live.size() - newest)];
+        long us = nowUs - live.newestFromUs(newest);
         past.copyFrom(motion);
         double speeds = 0;
         for (int i = 0; i < PARTS; i++) {

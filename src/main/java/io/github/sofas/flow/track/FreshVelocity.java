@@ -56,10 +56,13 @@ final class FreshVelocity {
      * @return whether the events show a velocity, and another one than the motion's
      */
     boolean find(LiveEvents live, int newest, double travelPx, Motion motion, double radius, MetricFit fit) {
-        long fromUs = live.timeUs[live.index(live.size() - newest)];
+        long fromUs = live.newestFromUs(newest);
         long windowUs = live.newestUs() - fromUs;
+        if (windowUs <= 0) {
+            return false;
+        }
         load(live, newest, motion, radius, fit);
-        if (windowUs <= 0 || fit.size() < LEAST_EVENTS) {
+        if (fit.size() < LEAST_EVENTS) {
             return false;
         }
         double known = fit.metric();
@@ -82,7 +85,7 @@ final class FreshVelocity {
             halvings++;
         }
         fit.clear();
-        long fromUs = live.timeUs[live.index(live.size() - newest)];
+        long fromUs = live.newestFromUs(newest);
         stepped.begin(along, Math.abs(along.referenceUs - fromUs), 2 * radius, STEP_PX);
         for (int k = live.size() - newest; k < live.size() && fit.size() < fit.capacity(); k++) {
             int i = live.index(k);

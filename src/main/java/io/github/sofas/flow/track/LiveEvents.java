@@ -57,12 +57,16 @@ final class LiveEvents {
 
     /** Whether events of a tile are taken. */
     boolean takes(int tileHash) {
+        return isTaken(tileHash, halvings);
+    }
+
+    private static boolean isTaken(int tileHash, int halvings) {
         return (tileHash & (1 << halvings) - 1) == 0;
     }
 
     /** Whether an event, by its index, lies on a tile that is left when they are halved so many times. */
     boolean isLeftBy(int times, int i) {
-        return (tile[i] & (1 << halvings + times) - 1) == 0;
+        return isTaken(tile[i], halvings + times);
     }
 
     /** Index into the arrays of the k-th event, 0 the oldest. */
@@ -76,6 +80,11 @@ final class LiveEvents {
 
     long newestUs() {
         return timeUs[index(size - 1)];
+    }
+
+    /** When the first of so many of the newest events was. */
+    long newestFromUs(int newest) {
+        return timeUs[index(size - newest)];
     }
 
     /** Why an event was taken, by its index into the arrays. */
@@ -117,9 +126,8 @@ final class LiveEvents {
             return;
         }
         int staying = 0;
-        int rest = (1 << halvings + 1) - 1;
         for (int k = 0; k < size; k++) {
-            staying += (tile[index(k)] & rest) == 0 ? 1 : 0;
+            staying += isLeftBy(1, index(k)) ? 1 : 0;
         }
         if (halvings < MOST_HALVINGS && staying > size / LEAST_PART && staying < size - size / LEAST_PART) {
             halve();

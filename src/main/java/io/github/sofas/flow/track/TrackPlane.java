@@ -247,6 +247,15 @@ public final class TrackPlane {
         return density.isStarved(live, measurement.lifetimePx(), p.minShare());
     }
 
+    /** Takes what events there are for usual, unless they rush: returns whether they do not. */
+    private boolean followDensity(long nowUs) {
+        if (density.isRushed(live, motion, contour.radius(), nowUs)) {
+            return false;
+        }
+        density.follow(live, measurement.lifetimePx());
+        return true;
+    }
+
     /** Goes to the state that it is in by now: the only place where it changes. */
     State update(long nowUs) {
         live.expire(nowUs - lifetimeUs);
@@ -256,9 +265,7 @@ public final class TrackPlane {
             live.widen();
         }
         contour.fade(nowUs, lifetimeUs);
-        if (!density.isRushed(live, motion, contour.radius(), nowUs)) {
-            density.follow(live, measurement.lifetimePx());
-        }
+        followDensity(nowUs);
         if (!isStarved()) {
             state = State.TRACKED;
         } else if (state == State.TRACKED) {
@@ -299,10 +306,8 @@ public final class TrackPlane {
         }
         before.copyFrom(motion);
         before.moveReference(nowUs);
-        if (density.isRushed(live, before, contour.radius(), nowUs)) {
+        if (!followDensity(nowUs)) {
             lookAnew(fit, nowUs);
-        } else {
-            density.follow(live, measurement.lifetimePx());
         }
         if (isStarved()) {
             // what is left is noise, or too little: the motion is held
@@ -320,7 +325,7 @@ public final class TrackPlane {
     private void lookAnew(MetricFit fit, long nowUs) {
         int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
         int newest = Math.min(live.size(), usual);
-        long fromUs = live.timeUs[live.index(live.size() - newest)];
+        long fromUs = live.newestFromUs(newest);
         if (nowUs - lookedUs < (nowUs - fromUs) / LOOK_PART) {
             return;
         }
