@@ -67,7 +67,8 @@ final class Candidates {
         if (size > 1) {
             int farthest = history.trace(x, y, timeUs, polarity, nearest.motion()) + PixelHistory.ON_THE_PIXEL;
             for (int i = 0; i < size; i++) {
-                int trace = planes[i] == nearest ? 0 : history.trace(x, y, timeUs, polarity, planes[i].motion());
+                int trace = planes[i] == nearest ? 0
+                    : history.traceBeyond(farthest, x, y, timeUs, polarity, planes[i].motion());
                 if (trace > farthest) {
                     farthest = trace;
                     best = planes[i];

@@ -10,72 +10,105 @@ import java.util.Arrays;
  *
  * <p>Ours, because contours do not tell structures apart that overlap: each has what its plane was given before. Where
  * the events of late were is the same whatever they were taken for.
+ *
+ * <p>The last {@value #KEPT} events of a pixel and polarity are one {@code long}: the tick of the newest above the gaps
+ * to those before, so that an event is noted by one load and one store, and the history of a DAVIS346 fits the
+ * second-level cache of today's processors.
  */
 final class PixelHistory {
     /** Px of travel that a trace goes back. */
     static final int TRACE_PX = 8;
     /** What a px of travel counts for with an event on the very pixel where the edge was; else 1. */
     static final int ON_THE_PIXEL = 3;
-    /** Events that are kept of each pixel and polarity: as many as edges a px apart fire during a trace. */
-    private static final int KEPT = 8;
+    /** Events that are kept of each pixel and polarity. */
+    static final int KEPT = 4;
     /** Speed that a px of travel takes its time from where an edge moves more slowly: what stands has none. */
     private static final double SLOWEST_PX_PER_S = 1;
-    private static final int NEVER = Integer.MIN_VALUE;
-    /** Time after which times are counted from a later origin. */
-    private static final long SPAN_US = 1 << 30;
+
+    /** Ticks are 64 µs: a sixteenth of the time in which 1,000 px/s travel a px. */
+    private static final int TICK_BITS = 6;
+    private static final double TICKS_PER_US = 1.0 / (1 << TICK_BITS);
+    private static final int GAP_BITS = 13;
+    /** Longest gap between two events of a pixel, half a second, after which the earlier ones are forgotten. */
+    private static final int LONGEST_GAP = (1 << GAP_BITS) - 1;
+    private static final int GAPS_BITS = (KEPT - 1) * GAP_BITS;
+    /** Gaps of a pixel that has no event but its newest, whose tick is 0 where it has none at all. */
+    private static final long NO_EVENTS_BEFORE = (1L << GAPS_BITS) - 1;
+    /** Tick of the first event: more than any trace goes back. */
+    private static final int FIRST_TICK = 1 << 20;
+    /** Ticks after which they are counted from a later origin, 18 minutes. */
+    private static final int SPAN_TICKS = 1 << 24;
 
     private final int width;
     private final int height;
-    /** Times of the events of each pixel, OFF then ON, the newest first, in µs after the origin. */
-    private final int[] times;
+    /** Events of each pixel, OFF then ON. */
+    private final long[] events;
     private long originUs;
 
     PixelHistory(SensorSize sensor) {
         width = sensor.width();
         height = sensor.height();
-        times = new int[2 * KEPT * width * height];
+        events = new long[2 * width * height];
         clear();
     }
 
     /** Bytes of its array. */
     static long bytes(SensorSize sensor) {
-        return 2L * KEPT * Integer.BYTES * sensor.width() * sensor.height();
+        return 2L * Long.BYTES * sensor.width() * sensor.height();
     }
 
     /** Forgets all events. */
     void clear() {
-        Arrays.fill(times, NEVER);
+        Arrays.fill(events, NO_EVENTS_BEFORE);
         originUs = Long.MIN_VALUE;
     }
 
     /** Notes an event. */
     void note(int x, int y, long timeUs, int polarity) {
         if (originUs == Long.MIN_VALUE) {
-            originUs = timeUs;
+            begin(timeUs);
         }
-        while (timeUs - originUs >= SPAN_US) {
+        while (ticks(timeUs) >= FIRST_TICK + SPAN_TICKS) {
             moveOrigin(timeUs);
         }
-        int newest = newest(x, y, polarity);
-        System.arraycopy(times, newest, times, newest + 1, KEPT - 1);
-        times[newest] = (int) (timeUs - originUs);
+        int i = index(x, y, polarity);
+        long before = events[i];
+        int tick = (int) ticks(timeUs);
+        int gap = tick - newest(before);
+        long gaps = gap >= LONGEST_GAP ? NO_EVENTS_BEFORE
+            : (long) gap << GAPS_BITS - GAP_BITS | (before & NO_EVENTS_BEFORE) >>> GAP_BITS;
+        events[i] = (long) tick << GAPS_BITS | gaps;
     }
 
-    /** Counts times from a later origin; what was before the one of now is long over. */
+    private void begin(long timeUs) {
+        originUs = timeUs - ((long) FIRST_TICK << TICK_BITS);
+    }
+
+    private long ticks(long timeUs) {
+        return timeUs - originUs >> TICK_BITS;
+    }
+
+    private static int newest(long events) {
+        return (int) (events >>> GAPS_BITS);
+    }
+
+    /** Counts ticks from a later origin; what was before the one of now is long over. */
     private void moveOrigin(long nowUs) {
-        if (nowUs - originUs >= 2 * SPAN_US) {
+        if (ticks(nowUs) >= FIRST_TICK + 2L * SPAN_TICKS) {
             clear();
-            originUs = nowUs;
+            begin(nowUs);
             return;
         }
-        for (int i = 0; i < times.length; i++) {
-            times[i] = times[i] < 0 ? NEVER : (int) (times[i] - SPAN_US);
+        for (int i = 0; i < events.length; i++) {
+            int tick = newest(events[i]) - SPAN_TICKS;
+            events[i] = tick <= 0 ? NO_EVENTS_BEFORE
+                : (long) tick << GAPS_BITS | events[i] & NO_EVENTS_BEFORE;
         }
-        originUs += SPAN_US;
+        originUs += (long) SPAN_TICKS << TICK_BITS;
     }
 
-    private int newest(int x, int y, int polarity) {
-        return ((y * width + x) * 2 + (polarity > 0 ? 1 : 0)) * KEPT;
+    private int index(int x, int y, int polarity) {
+        return (y * width + x) * 2 + (polarity > 0 ? 1 : 0);
     }
 
     /**
@@ -84,43 +117,49 @@ final class PixelHistory {
      * it; 0 to 24.
      */
     int trace(int x, int y, long timeUs, int polarity, Motion motion) {
+        return traceBeyond(-1, x, y, timeUs, polarity, motion);
+    }
+
+    /** The same, if it is more than a trace that is known; else no more than that. */
+    int traceBeyond(int known, int x, int y, long timeUs, int polarity, Motion motion) {
         double vx = motion.vxAt(x, y, timeUs);
         double vy = motion.vyAt(x, y, timeUs);
         double pxUs = 1e6 / Math.max(SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
         double stepX = vx * pxUs * 1e-6;
         double stepY = vy * pxUs * 1e-6;
-        double nowUs = timeUs - originUs;
+        double nowTicks = (timeUs - originUs) * TICKS_PER_US;
+        double pxTicks = pxUs * TICKS_PER_US;
         int trace = 0;
-        for (int px = 1; px <= TRACE_PX; px++) {
-            trace += met(x - px * stepX, y - px * stepY, polarity, (int) (nowUs - (px + 0.5) * pxUs),
-                (int) (nowUs - (px - 0.5) * pxUs));
+        for (int px = 1; px <= TRACE_PX && trace + ON_THE_PIXEL * (TRACE_PX + 1 - px) > known; px++) {
+            trace += met(x - px * stepX, y - px * stepY, polarity, (int) (nowTicks - (px + 0.5) * pxTicks),
+                (int) (nowTicks - (px - 0.5) * pxTicks));
         }
         return trace;
     }
 
     /** What a px of travel counts for whose events are those at a place within a time. */
-    private int met(double atX, double atY, int polarity, int fromUs, int untilUs) {
+    private int met(double atX, double atY, int polarity, int fromTick, int untilTick) {
         int x = (int) Math.rint(atX);
         int y = (int) Math.rint(atY);
-        if (fired(x, y, polarity, fromUs, untilUs)) {
+        if (fired(x, y, polarity, fromTick, untilTick)) {
             return ON_THE_PIXEL;
         }
         int besideX = atX > x ? x + 1 : x - 1;
         int besideY = atY > y ? y + 1 : y - 1;
-        return fired(besideX, y, polarity, fromUs, untilUs) || fired(x, besideY, polarity, fromUs, untilUs)
-            || fired(besideX, besideY, polarity, fromUs, untilUs) ? 1 : 0;
+        return fired(besideX, y, polarity, fromTick, untilTick) || fired(x, besideY, polarity, fromTick, untilTick)
+            || fired(besideX, besideY, polarity, fromTick, untilTick) ? 1 : 0;
     }
 
-    private boolean fired(int x, int y, int polarity, int fromUs, int untilUs) {
+    private boolean fired(int x, int y, int polarity, int fromTick, int untilTick) {
         if (x < 0 || y < 0 || x >= width || y >= height) {
             return false;
         }
-        int newest = newest(x, y, polarity);
-        for (int i = newest; i < newest + KEPT; i++) {
-            if (times[i] < untilUs) {
-                return times[i] >= fromUs;
-            }
+        long its = events[index(x, y, polarity)];
+        int tick = newest(its);
+        for (int bit = GAPS_BITS - GAP_BITS; tick >= untilTick && bit >= 0; bit -= GAP_BITS) {
+            int gap = (int) (its >>> bit) & LONGEST_GAP;
+            tick = gap == LONGEST_GAP ? 0 : tick - gap;
         }
-        return false;
+        return tick >= fromTick && tick < untilTick;
     }
 }

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
@@ -61,8 +62,9 @@ public class PixelHistoryTest {
     public void eventOfATimeWithinHalfAPxOfTravelCounts() {
         history.note(X - 2, Y, NOW_US - 25_000, 1);
         assertEquals("25 of 15 to 25 ms", 3, trace(100, 0));
-        history.note(X - 3, Y, NOW_US - 35_001, 1);
-        assertEquals("35.001 of 25 to 35 ms", 3, trace(100, 0));
+        // times are told apart by 64 µs
+        history.note(X - 3, Y, NOW_US - 35_100, 1);
+        assertEquals("35.1 of 25 to 35 ms", 3, trace(100, 0));
     }
 
     @Test
@@ -75,17 +77,38 @@ public class PixelHistoryTest {
     @Test
     public void pixelFindsItsEventsBehindLaterOnes() {
         edge(8, Y, 1);
-        // seven more on each pixel since
+        // three more on each pixel since
         for (int c = 8; c >= 1; c--) {
-            for (int later = 1; later <= 7; later++) {
-                history.note(X - c, Y, NOW_US - 100 + later, 1);
+            for (int later = 1; later <= 3; later++) {
+                history.note(X - c, Y, NOW_US - 1000 + 200 * later, 1);
             }
         }
         assertEquals(24, trace(100, 0));
         for (int c = 8; c >= 1; c--) {
             history.note(X - c, Y, NOW_US, 1);
         }
-        assertEquals("eight are kept", 0, trace(100, 0));
+        assertEquals("four are kept", 0, trace(100, 0));
+    }
+
+    @Test
+    public void pixelForgetsItsEventsOfMoreThanHalfASecondBeforeALaterOne() {
+        history.note(X - 1, Y, NOW_US - 600_000, 1);
+        history.note(X - 1, Y, NOW_US - 90_000, 1);
+        assertEquals("510 ms before", 3, trace(1 / 0.6, 0));
+        history.note(X - 2, Y, NOW_US - 1_200_000, 1);
+        history.note(X - 2, Y, NOW_US - 600_000, 1);
+        assertEquals("600 ms before", 3, trace(1 / 0.6, 0));
+    }
+
+    @Test
+    public void traceIsFollowedNoFartherThanItMayPassAKnownOne() {
+        edge(5, Y, 1);
+        for (int known = 0; known < 15; known++) {
+            assertEquals(15, history.traceBeyond(known, X, Y, NOW_US, 1, motion(100, 0)));
+        }
+        for (int known = 15; known <= 24; known++) {
+            assertTrue(history.traceBeyond(known, X, Y, NOW_US, 1, motion(100, 0)) <= known);
+        }
     }
 
     @Test
