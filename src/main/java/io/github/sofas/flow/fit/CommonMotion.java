@@ -35,13 +35,14 @@ public final class CommonMotion {
      * Fits it.
      *
      * @param one motion of the one structure, other of the other; they stay as they are
+     * @param timeUs when the two are to move alike
      * @return whether the two together know all of the velocity; if not, the motion is the first one's
      */
-    public boolean fit(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long nowUs) {
+    public boolean fit(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
         first.copyFrom(one);
-        first.moveReference(nowUs);
+        first.moveReference(timeUs);
         second.copyFrom(other);
-        second.moveReference(nowUs);
+        second.moveReference(timeUs);
         motion.copyFrom(first);
         motion.centreX = (first.centreX + second.centreX) / 2;
         motion.centreY = (first.centreY + second.centreY) / 2;

@@ -10,7 +10,7 @@ final class EventDensity {
     /** Travel whose usual events tell how fast they come now, in px. */
     private static final double RUSH_PX = 1;
     /** Part of that travel which the motion explains, below which events come too fast for it. */
-    private static final double RUSH_SHARE = 0.15;
+    private static final double RUSH_SHARE = 0.35;
     /** Fewest events that tell it. */
     private static final int LEAST_RUSH = 100;
     /** Parts of the time of these events in which the motion's speed is looked at. */

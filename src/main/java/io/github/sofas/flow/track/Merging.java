@@ -44,8 +44,17 @@ final class Merging {
             && a.contour().isWithin(gap, b.contour(), nowUs);
     }
 
+    /**
+     * Whether one motion serves both, in the middle of the shorter window that either is measured over, and now: an
+     * acceleration that few events show for a moment carries the velocity of one through that of the other.
+     */
     private boolean shareMotion(TrackPlane a, TrackPlane b, boolean touch, long nowUs) {
-        return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), nowUs)
+        long midUs = nowUs - Math.min(a.lifetimeUs(), b.lifetimeUs()) / 2;
+        return shareMotionAt(midUs, a, b, touch) && shareMotionAt(nowUs, a, b, touch);
+    }
+
+    private boolean shareMotionAt(long timeUs, TrackPlane a, TrackPlane b, boolean touch) {
+        return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs)
             && common.lost() < (touch || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
     }
 

@@ -89,9 +89,9 @@ public class EventDensityTest {
 
     @Test
     public void eventsRushWhereTheMotionExplainsLessThanAPartOfTheirTravel() {
-        // the newest 100 span 990 us, in which 0.15 px are travelled at 151.5 px/s
-        assertTrue(isRushed(151, 0));
-        assertFalse(isRushed(152, 0));
+        // the newest 100 span 990 us, in which 0.35 px are travelled at 353.5 px/s
+        assertTrue(isRushed(353, 0));
+        assertFalse(isRushed(354, 0));
     }
 
     @Test

@@ -2,6 +2,8 @@ package io.github.sofas.flow.track;
 
 import static io.github.sofas.flow.track.TrackedEdges.ROWS;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.assertFalse;
 
 import io.github.sofas.flow.Segment;
 import java.util.List;
@@ -48,6 +50,19 @@ public class MergingTest {
         assertEquals(List.of(2), edges.ids());
         assertEquals(List.of(1, 3), edges.ended.stream().map(Segment::id).toList());
         assertEquals(2, edges.ended.get(1).mergedInto());
+    }
+
+    @Test
+    public void planesThatMoveAlikeForAMomentOnlyStayTwo() {
+        TrackPlane steady = edges.begin(60, 10, 100, 1);
+        TrackPlane changing = edges.begin(60, 42, 100, 1);
+        Merging merging = new Merging();
+        assertTrue(merging.areOne(steady, changing, edges.nowUs));
+        // as fast now, but 62.5 px/s in the middle of its 50 ms
+        changing.motion().ax = 1500;
+        assertFalse(merging.areOne(steady, changing, edges.nowUs));
+        steady.motion().ax = 1500;
+        assertTrue("both change alike", merging.areOne(steady, changing, edges.nowUs));
     }
 
     @Test

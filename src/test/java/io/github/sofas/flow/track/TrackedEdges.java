@@ -34,12 +34,12 @@ final class TrackedEdges {
     }
 
     /** An edge that has come to a column by now, each pixel of which fired some times as the edge entered it. */
-    void begin(int column, int row, double vx, int times) {
-        begin(column, row, vx, times, COLUMNS);
+    TrackPlane begin(int column, int row, double vx, int times) {
+        return begin(column, row, vx, times, COLUMNS);
     }
 
     /** The same of one that was seen to enter so many columns. */
-    void begin(int column, int row, double vx, int times, int columns) {
+    TrackPlane begin(int column, int row, double vx, int times, int columns) {
         TrackPlane plane = stack.found().create(nowUs, vx, 0);
         for (int c = columns - 1; c >= 0; c--) {
             long timeUs = nowUs - (long) (c * 1e6 / Math.abs(vx));
@@ -49,6 +49,7 @@ final class TrackedEdges {
         }
         stack.found().begin(plane, nowUs);
         stack.adopt();
+        return plane;
     }
 
     /** The segment that an ON event of now is given. */
