@@ -79,7 +79,7 @@ final class FoundStructures implements Structures {
 
         @Override
         public void see(int x, int y, long timeUs, int polarity, long nowUs) {
-            plane.see(x, y, timeUs, polarity, nowUs);
+            stack.see(plane, x, y, timeUs, polarity, nowUs);
         }
     }
 }

@@ -104,6 +104,23 @@ public final class Motion {
             + (growth + growthChange * dt) * (y - centreY - vy * dt));
     }
 
+    /**
+     * A speed in px/s that a point is no faster than from one time until another, in which it travels, turns and grows
+     * by less than its distance from the centre.
+     *
+     * @param x where the point is at the first time, in px of the sensor
+     */
+    public double mostSpeed(double x, double y, long fromUs, long untilUs) {
+        double dt = (fromUs - referenceUs) * 1e-6;
+        double rx = x - centreX - (vx + 0.5 * ax * dt) * dt;
+        double ry = y - centreY - (vy + 0.5 * ay * dt) * dt;
+        double farthest = 2 * Math.sqrt(rx * rx + ry * ry);
+        double longest = Math.max(Math.abs(dt), Math.abs(untilUs - referenceUs) * 1e-6);
+        return Math.sqrt(vx * vx + vy * vy) + Math.sqrt(ax * ax + ay * ay) * longest
+            + (Math.abs(omega) + Math.abs(alpha) * longest + Math.abs(growth) + Math.abs(growthChange) * longest)
+            * farthest;
+    }
+
     /** Speed in px/s, root of the mean square over points whose distance from the centre has that of radius. */
     public double speed(double radius) {
         return Math.sqrt(vx * vx + vy * vy + (omega * omega + growth * growth) * radius * radius);

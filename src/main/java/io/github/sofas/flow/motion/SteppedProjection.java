@@ -74,6 +74,16 @@ public final class SteppedProjection {
         return cos * eventY - sin * eventX + shiftY;
     }
 
+    /** Column that an event of this time has whose place at the motion's reference is (x, y), in px. */
+    public double backX(double x, double y) {
+        return (cos * (x - shiftX) - sin * (y - shiftY)) / (cos * cos + sin * sin);
+    }
+
+    /** The same, the row. */
+    public double backY(double x, double y) {
+        return (sin * (x - shiftX) + cos * (y - shiftY)) / (cos * cos + sin * sin);
+    }
+
     /** Cosine of the angle that this step turns by, times what it scales by. */
     public double cos() {
         return cos;

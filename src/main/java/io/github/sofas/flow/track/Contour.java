@@ -25,6 +25,8 @@ final class Contour {
     private static final double SHARE = 0.25;
     /** Share of the mean close support below which it is doubtful whether an event is of the structure. */
     private static final double SURE_SHARE = 0.6;
+    /** Room around the box that the contour does not leave, for the frame's steps and for what is rounded, in px. */
+    private static final double REACH_ROOM_PX = 1;
     /** Live events that threshold, centre and radius are measured from. */
     private static final int SAMPLE = 256;
 
@@ -45,6 +47,8 @@ final class Contour {
     private double centreX;
     private double centreY;
     private double radius;
+    /** Whether it may lie elsewhere than was told last. */
+    private boolean changedReach;
 
     /** Empty cells that contours of one sensor use in turn while they are anchored anew. */
     static final class Spare {
@@ -111,6 +115,41 @@ final class Contour {
         return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), polarity);
     }
 
+    /**
+     * A box of the sensor, as {@link Reaches} has them, beyond which no event has support until a time, unless the
+     * contour grows or follows another motion; {@link #hasChangedReach} tells that.
+     */
+    long reach(long nowUs, long untilUs) {
+        changedReach = false;
+        if (isEmpty()) {
+            return Reaches.NOWHERE;
+        }
+        frame.advance(nowUs);
+        double left = Double.MAX_VALUE;
+        double right = -Double.MAX_VALUE;
+        double top = Double.MAX_VALUE;
+        double bottom = -Double.MAX_VALUE;
+        double speed = 0;
+        for (int corner = 0; corner < 4; corner++) {
+            double inFrameX = ((corner & 1) == 0 ? cells.minX() - 0.5 : cells.maxX() + 0.5) - ContourCells.MARGIN;
+            double inFrameY = ((corner & 2) == 0 ? cells.minY() - 0.5 : cells.maxY() + 0.5) - ContourCells.MARGIN;
+            double x = frame.sensorX(inFrameX, inFrameY);
+            double y = frame.sensorY(inFrameX, inFrameY);
+            left = Math.min(left, x);
+            right = Math.max(right, x);
+            top = Math.min(top, y);
+            bottom = Math.max(bottom, y);
+            speed = Math.max(speed, frame.motion().mostSpeed(x, y, nowUs, untilUs));
+        }
+        double room = REACH_ROOM_PX + speed * (untilUs - nowUs) * 1e-6;
+        return Reaches.box(left - room, top - room, right + room, bottom + room);
+    }
+
+    /** Whether it has grown or followed another motion since its reach was asked for. */
+    boolean hasChangedReach() {
+        return changedReach;
+    }
+
     /** Support by the cells nearest, of the event whose support was asked for last and that has any. */
     int closeSupport(int polarity) {
         return cells.closeSupport(ContourCells.firstOfTwo(lastX), ContourCells.firstOfTwo(lastY), polarity);
@@ -123,7 +162,7 @@ final class Contour {
      */
     void add(int x, int y, long timeUs, int polarity, long ageUs, long lifetimeUs) {
         frame.advance(timeUs);
-        cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, lifetimeUs));
+        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, lifetimeUs));
     }
 
     private static int sixteenths(long ageUs, long lifetimeUs) {
@@ -132,7 +171,7 @@ final class Contour {
 
     /** Notes the event whose support was asked for last, as one of now. */
     void addLast(int polarity) {
-        cells.see(lastX, lastY, polarity, 0);
+        changedReach |= cells.see(lastX, lastY, polarity, 0);
     }
 
     /** Lets go what is older than the lifetime. */
@@ -149,6 +188,7 @@ final class Contour {
 
     /** Follows another motion from its reference on. */
     void follow(Motion along) {
+        changedReach = true;
         frame.follow(along, radius);
         if (!isEmpty() && (departurePx(cells.minX(), cells.minY()) > FARTHEST_PX
                 || departurePx(cells.maxX(), cells.maxY()) > FARTHEST_PX)) {
@@ -181,6 +221,7 @@ final class Contour {
 
     /** Takes over what was seen by another contour of the sensor, cell by cell; both follow a motion from then on. */
     void absorb(Contour other, Motion along) {
+        changedReach = true;
         frame.follow(along, radius);
         other.frame.follow(along, other.radius);
         cells.absorb(other.cells, other.frame, frame);
@@ -205,6 +246,7 @@ final class Contour {
 
     /** Empties all cells. */
     void wipe() {
+        changedReach = true;
         cells.wipe();
     }
 

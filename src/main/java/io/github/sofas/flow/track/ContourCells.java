@@ -135,11 +135,16 @@ final class ContourCells {
      * Notes an event on the cell at a place in the frame, unless that lies at the border of the grid or beyond.
      *
      * @param age in sixteenths, 0 for an event of now; from 16 on it is none
+     * @return whether the box may have grown
      */
-    void see(double x, double y, int polarity, int age) {
+    boolean see(double x, double y, int polarity, int age) {
+        int cx = cell(x);
+        int cy = cell(y);
+        boolean inside = cx > minX && cx < maxX && cy > minY && cy < maxY;
         if (age < SIXTEENTHS) {
-            add(cell(x), cell(y), NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS));
+            add(cx, cy, NEWEST >> age << (polarity > 0 ? 0 : SIXTEENTHS));
         }
+        return !inside;
     }
 
     private void include(int cx, int cy) {

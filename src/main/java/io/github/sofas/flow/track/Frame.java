@@ -91,6 +91,16 @@ final class Frame {
         return (sin * (x - shiftX) + cos * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
+    /** Column of the sensor, at the time gone on to, of a place in the frame. */
+    double sensorX(double x, double y) {
+        return toReference.backX(toReferenceX(x, y), toReferenceY(x, y));
+    }
+
+    /** The same, the row. */
+    double sensorY(double x, double y) {
+        return toReference.backY(toReferenceX(x, y), toReferenceY(x, y));
+    }
+
     /** How far the frame lies from the sensor at the motion's reference, at most, at a place of it, in px. */
     double departurePx(double x, double y) {
         double dx = fromReferenceX(x, y) - x;

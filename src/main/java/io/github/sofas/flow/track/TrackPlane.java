@@ -192,8 +192,8 @@ public final class TrackPlane {
         live.add(x, y, timeUs, polarity, Claim.OWN, memory.see(x, y, timeUs));
     }
 
-    /** Notes an event of the past on the contour of a structure that is tracked, as one where more are to come. */
-    public void see(int x, int y, long timeUs, int polarity, long nowUs) {
+    /** Notes an event of the past on the contour, as one where more are to come. */
+    void see(int x, int y, long timeUs, int polarity, long nowUs) {
         contour.add(x, y, timeUs, polarity, nowUs - timeUs, lifetimeUs);
         memory.see(x, y, timeUs);
     }
@@ -205,10 +205,9 @@ public final class TrackPlane {
     }
 
     /**
-     * Takes the event whose support was asked for last, which lies on the contour or where it is remembered, and
-     * measures the motion when enough have come.
+     * Takes an event, and measures the motion when enough have come.
      *
-     * @param claim why it is taken
+     * @param claim why it is taken; unless it is remembered, it is the event whose support was asked for last
      */
     void take(int x, int y, long timeUs, int polarity, Claim claim, MetricFit fit) {
         if (isPredictive()) {
@@ -216,8 +215,14 @@ public final class TrackPlane {
             events++;
             lastUs = timeUs;
         }
-        contour.addLast(polarity);
-        int tile = claim == Claim.REMEMBERED ? memory.tile(x, y, timeUs) : memory.see(x, y, timeUs);
+        int tile;
+        if (claim == Claim.REMEMBERED) {
+            contour.add(x, y, timeUs, polarity, 0, lifetimeUs);
+            tile = memory.tile(x, y, timeUs);
+        } else {
+            contour.addLast(polarity);
+            tile = memory.see(x, y, timeUs);
+        }
         if (live.takes(tile)) {
             live.add(x, y, timeUs, polarity, claim, tile);
             sinceMeasured++;

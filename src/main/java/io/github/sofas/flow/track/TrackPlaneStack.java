@@ -23,6 +23,8 @@ public final class TrackPlaneStack {
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
+    /** Time for which it is told where contours may lie; it is told anew with each check. */
+    private static final long REACH_US = CHECK_US;
 
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
@@ -35,6 +37,7 @@ public final class TrackPlaneStack {
     private final Doubts doubts;
     private final PixelHistory history;
     private final Candidates candidates = new Candidates();
+    private final Reaches reaches = new Reaches();
     private int size;
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
@@ -72,8 +75,14 @@ public final class TrackPlaneStack {
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         candidates.clear();
+        if (!reaches.tell(timeUs)) {
+            reaches.take(planes, size, timeUs, timeUs + REACH_US);
+        }
+        long event = Reaches.event(x, y);
         for (int k = 0; k < size; k++) {
-            candidates.offer(planes[k], x, y, timeUs, polarity);
+            if (reaches.hold(k, event)) {
+                candidates.offer(planes[k], x, y, timeUs, polarity);
+            }
         }
         TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
         if (size > 1) {
@@ -101,6 +110,7 @@ public final class TrackPlaneStack {
             write(output, i, 0, 0, 0);
         }
         best.take(x, y, timeUs, polarity, claim, fit);
+        reaches.follow(best, planes, size, timeUs);
         return explained;
     }
 
@@ -139,6 +149,7 @@ public final class TrackPlaneStack {
             return;
         }
         nextCheckUs = nowUs + CHECK_US;
+        reaches.forget();
         for (int i = size - 1; i >= 0; i--) {
             if (planes[i].update(nowUs) == TrackPlane.State.ENDED) {
                 end(i, Segment.Fate.REMOVED, 0);
@@ -177,6 +188,7 @@ public final class TrackPlaneStack {
         size--;
         planes[i] = planes[size];
         planes[size] = null;
+        reaches.forget();
     }
 
     /** The planes that are found and are not in the stack yet. */
@@ -196,11 +208,20 @@ public final class TrackPlaneStack {
 
     /** Tracks the planes that were found; from then on as many may be found as there is room for. */
     public void adopt() {
+        if (found.size() > 0) {
+            reaches.forget();
+        }
         for (int i = 0; i < found.size(); i++) {
             planes[size] = found.plane(i);
             planes[size++].number(nextId++);
         }
         found.open(planes.length - size, unused);
+    }
+
+    /** Notes an event of the past on the contour of a plane that is tracked, as one where more are to come. */
+    public void see(TrackPlane plane, int x, int y, long timeUs, int polarity, long nowUs) {
+        plane.see(x, y, timeUs, polarity, nowUs);
+        reaches.follow(plane, planes, size, nowUs);
     }
 
     /** Votes that measurements gave since the start, a measure of work. */

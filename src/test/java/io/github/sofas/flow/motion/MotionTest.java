@@ -1,7 +1,9 @@
 package io.github.sofas.flow.motion;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.flow.motion.PlainMotion.Place;
 import org.junit.Test;
 
 /** The motion of the points of a structure, and what stays the same when it is told from elsewhere. */
@@ -159,5 +161,26 @@ public class MotionTest {
         assertEquals(1, motion.vxAt(90, 90, 1_000_005), 0);
         assertEquals(2, motion.vyAt(90, 90, 1_000_005), 0);
         assertEquals(50, motion.centreX, 0);
+    }
+
+    @Test
+    public void noPointIsFasterThanTheMostThatItsSpeedMayBe() {
+        Motion motion = turningAndGrowing();
+        motion.ax = 200;
+        motion.alpha = -3;
+        motion.growthChange = 2;
+        for (long fromUs : new long[] {900_000, 1_000_000, 1_150_000}) {
+            Place before = PlainMotion.at(motion, 80, 60, fromUs);
+            double most = motion.mostSpeed(before.x(), before.y(), fromUs, fromUs + 20_000);
+            for (long timeUs = fromUs + 1_000; timeUs <= fromUs + 20_000; timeUs += 1_000) {
+                Place now = PlainMotion.at(motion, 80, 60, timeUs);
+                double speed = now.distance(before.x(), before.y()) / 1e-3;
+                assertTrue(speed + " of " + most, speed <= most);
+                before = now;
+            }
+        }
+        // 30 px/s and -10 px/s, and nothing else
+        motion.set(1_000_000, 30, -10);
+        assertEquals(Math.sqrt(1000), motion.mostSpeed(80, 60, 900_000, 1_200_000), 1e-9);
     }
 }

@@ -128,4 +128,15 @@ public class SteppedProjectionTest {
         stepped.advance(1_000_000);
         assertEquals(31, stepped.y(17, 31), 0);
     }
+
+    @Test
+    public void wayBackLeadsToTheEvent() {
+        SteppedProjection stepped = new SteppedProjection();
+        stepped.begin(motion(), 200_000, 40, STEP_PX);
+        stepped.advance(860_000);
+        double x = stepped.x(70, 50);
+        double y = stepped.y(70, 50);
+        assertEquals(70, stepped.backX(x, y), 1e-9);
+        assertEquals(50, stepped.backY(x, y), 1e-9);
+    }
 }

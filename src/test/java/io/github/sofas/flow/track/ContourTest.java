@@ -407,4 +407,62 @@ public class ContourTest {
         contour.add(30, 20, 0, 1, 0, 1);
         assertEquals(2, contour.support(31, 21, 0, 1));
     }
+
+    @Test
+    public void eventWithSupportLiesWithinTheReachUntilItsTimeIsOver() {
+        for (double turn : new double[] {0, 3, -8}) {
+            start(150, -90);
+            motion.omega = turn;
+            motion.growth = 0.8;
+            motion.ax = -500;
+            contour.start(motion);
+            addBlock(50, 30, 9);
+            contour.add(75, 52, 0, 1, 0, 1);
+            followTo(30_000);
+            long box = contour.reach(31_000, 36_000);
+            assertFalse(contour.hasChangedReach());
+            int supported = 0;
+            for (long timeUs = 31_000; timeUs <= 36_000; timeUs += 250) {
+                for (int y = 0; y < SENSOR.height(); y++) {
+                    for (int x = 0; x < SENSOR.width(); x++) {
+                        if (contour.support(x, y, timeUs, 1) != 0) {
+                            supported++;
+                            assertTrue(Reaches.holds(box, Reaches.event(x, y)));
+                        }
+                    }
+                }
+            }
+            assertTrue(supported > 21 * 100);
+            // 30 x 26 px and some room, of 128 x 96
+            assertFalse(Reaches.holds(box, Reaches.event(20, 40)));
+            assertFalse(Reaches.holds(box, Reaches.event(60, 70)));
+        }
+    }
+
+    @Test
+    public void reachChangesAsTheContourGrowsOrFollowsAnotherMotion() {
+        startAtRest();
+        addBlock(50, 30, 9);
+        contour.reach(0, 1);
+        contour.add(54, 34, 0, 1, 0, 1);
+        assertFalse("inside", contour.hasChangedReach());
+        contour.support(58, 34, 0, 1);
+        contour.addLast(1);
+        assertFalse("at its side, beside which it has support", contour.hasChangedReach());
+        contour.support(59, 34, 0, 1);
+        contour.addLast(1);
+        assertTrue("beside it", contour.hasChangedReach());
+        contour.reach(0, 1);
+        assertFalse(contour.hasChangedReach());
+        followTo(5_000);
+        assertTrue(contour.hasChangedReach());
+    }
+
+    @Test
+    public void emptyContourReachesNowhere() {
+        startAtRest();
+        long box = contour.reach(0, 1);
+        assertFalse(Reaches.holds(box, Reaches.event(0, 0)));
+        assertFalse(Reaches.holds(box, Reaches.event(60, 40)));
+    }
 }

@@ -46,6 +46,30 @@ public class TrackPlaneStackTest {
     }
 
     @Test
+    public void placeThatIsSeenExpectsItsEventsAtOnce() {
+        TrackPlane plane = edges.begin(40, 30, 100, 1);
+        edges.nowUs += 10_000;
+        assertEquals(0, edges.label(90, 80));
+        for (int times = 0; times < 16; times++) {
+            edges.stack.see(plane, 89, 80, edges.nowUs - 10_000 * times, 1, edges.nowUs);
+            edges.stack.see(plane, 90, 80, edges.nowUs - 10_000 * times, 1, edges.nowUs);
+        }
+        assertEquals(1, edges.label(90, 80));
+    }
+
+    @Test
+    public void placeMayBeSeenOfAnyPlaneAtAnyTime() {
+        // the newest of more planes than boxes were kept for, none of which has labelled an event
+        for (int i = 0; i < 20; i++) {
+            edges.stack.see(edges.begin(20 + 5 * i, 30, 100, 1), 60, 50, edges.nowUs, 1, edges.nowUs);
+        }
+        TrackPlane untracked = edges.stack.found().create(edges.nowUs, 100, 0);
+        edges.label(60, 50);
+        edges.stack.see(untracked, 60, 50, edges.nowUs, 1, edges.nowUs);
+        assertEquals(20, edges.ids().size());
+    }
+
+    @Test
     public void resetForgetsWhatWasFound() {
         TrackPlane plane = edges.stack.found().create(edges.nowUs, 100, 0);
         plane.addPast(40, 30, edges.nowUs, 1);
