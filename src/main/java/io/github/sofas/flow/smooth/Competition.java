@@ -1,6 +1,7 @@
 package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 import java.util.List;
@@ -49,6 +50,8 @@ final class Competition {
     private final Labels labels;
     private final TraceMap map;
     private final PathProjection projection = new PathProjection();
+    /** Where the box is on the sensor during a slice. */
+    private final Bounds onSensor = new Bounds();
     private final Motion motion = new Motion();
     // of the events of the slice
     private double[] claim = new double[1024];
@@ -240,31 +243,26 @@ final class Competition {
 
     /** Adds the events of a slice to the map that fall in the box, and may meet open ones of another. */
     private void add(Slice slice, Slice asked, long untilUs) {
-        // where the box is on the sensor during the slice
         int first = projection.step(Math.max(0, slice.fromUs - fromUs));
         int last = projection.step(Math.min(untilUs, slice.untilUs) - fromUs);
-        double l = Double.POSITIVE_INFINITY;
-        double r = Double.NEGATIVE_INFINITY;
-        double t = Double.POSITIVE_INFINITY;
-        double d = Double.NEGATIVE_INFINITY;
+        onSensor.clear();
         for (int step = first; step <= last; step += Math.max(1, last - first)) {
             projection.goTo(step);
             for (int corner = 0; corner < 4; corner++) {
                 double x = (corner & 1) == 0 ? left : right;
                 double y = (corner & 2) == 0 ? top : bottom;
-                double atX = projection.backX(x, y);
-                double atY = projection.backY(x, y);
-                l = Math.min(l, atX);
-                r = Math.max(r, atX);
-                t = Math.min(t, atY);
-                d = Math.max(d, atY);
+                onSensor.include(projection.backX(x, y), projection.backY(x, y));
             }
         }
-        if (r < 0 || d < 0 || l >= slice.columns() << Slice.TILE_BITS || t >= slice.rows() << Slice.TILE_BITS) {
+        if (onSensor.right() < 0 || onSensor.bottom() < 0 || onSensor.left() >= slice.columns() << Slice.TILE_BITS
+                || onSensor.top() >= slice.rows() << Slice.TILE_BITS) {
             return;
         }
-        for (int row = tile(t, slice.rows()); row <= tile(d, slice.rows()); row++) {
-            for (int column = tile(l, slice.columns()); column <= tile(r, slice.columns()); column++) {
+        int lastRow = tile(onSensor.bottom(), slice.rows());
+        int firstColumn = tile(onSensor.left(), slice.columns());
+        int lastColumn = tile(onSensor.right(), slice.columns());
+        for (int row = tile(onSensor.top(), slice.rows()); row <= lastRow; row++) {
+            for (int column = firstColumn; column <= lastColumn; column++) {
                 int tile = row * slice.columns() + column;
                 if (asked.isNearOpen(tile)) {
                     addTile(slice, tile, untilUs);

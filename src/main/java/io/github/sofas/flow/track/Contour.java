@@ -2,6 +2,7 @@ package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PixelConsumer;
+import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
@@ -47,6 +48,7 @@ final class Contour {
     private double centreX;
     private double centreY;
     private double radius;
+    private final Bounds reached = new Bounds();
     /** Whether it may lie elsewhere than was told last. */
     private boolean changedReach;
 
@@ -125,24 +127,19 @@ final class Contour {
             return Reaches.NOWHERE;
         }
         frame.advance(nowUs);
-        double left = Double.MAX_VALUE;
-        double right = -Double.MAX_VALUE;
-        double top = Double.MAX_VALUE;
-        double bottom = -Double.MAX_VALUE;
+        reached.clear();
         double speed = 0;
         for (int corner = 0; corner < 4; corner++) {
             double inFrameX = ((corner & 1) == 0 ? cells.minX() - 0.5 : cells.maxX() + 0.5) - ContourCells.MARGIN;
             double inFrameY = ((corner & 2) == 0 ? cells.minY() - 0.5 : cells.maxY() + 0.5) - ContourCells.MARGIN;
             double x = frame.sensorX(inFrameX, inFrameY);
             double y = frame.sensorY(inFrameX, inFrameY);
-            left = Math.min(left, x);
-            right = Math.max(right, x);
-            top = Math.min(top, y);
-            bottom = Math.max(bottom, y);
+            reached.include(x, y);
             speed = Math.max(speed, frame.motion().mostSpeed(x, y, nowUs, untilUs));
         }
         double room = REACH_ROOM_PX + speed * (untilUs - nowUs) * 1e-6;
-        return Reaches.box(left - room, top - room, right + room, bottom + room);
+        return Reaches.box(reached.left() - room, reached.top() - room, reached.right() + room,
+            reached.bottom() + room);
     }
 
     /** Whether it has grown or followed another motion since its reach was asked for. */

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Bounds;
 import java.util.Arrays;
 
 /**
@@ -26,6 +27,9 @@ final class ContourCells {
     private final int height;
     /** Sixteenths in which ON and OFF events fell on each cell, OFF in the high half. */
     private final int[] seen;
+
+    /** Around others that are taken over. */
+    private final Bounds turned = new Bounds();
 
     // box of the occupied cells, a cell wider all round; beyond it there is no support
     private int minX;
@@ -213,22 +217,16 @@ final class ContourCells {
 
     /** The same of others that a frame has turned, scaled and shifted. */
     void takeTurned(ContourCells from, Frame frame) {
-        double left = Double.MAX_VALUE;
-        double right = -Double.MAX_VALUE;
-        double top = Double.MAX_VALUE;
-        double bottom = -Double.MAX_VALUE;
+        turned.clear();
         for (int corner = 0; corner < 4; corner++) {
             double x = ((corner & 1) == 0 ? from.minX : from.maxX) - MARGIN;
             double y = ((corner & 2) == 0 ? from.minY : from.maxY) - MARGIN;
-            left = Math.min(left, frame.toReferenceX(x, y));
-            right = Math.max(right, frame.toReferenceX(x, y));
-            top = Math.min(top, frame.toReferenceY(x, y));
-            bottom = Math.max(bottom, frame.toReferenceY(x, y));
+            turned.include(frame.toReferenceX(x, y), frame.toReferenceY(x, y));
         }
-        int toX = Math.min(width - 2, (int) Math.ceil(right) + MARGIN);
-        int toY = Math.min(height - 2, (int) Math.ceil(bottom) + MARGIN);
-        for (int cy = Math.max(1, (int) Math.floor(top) + MARGIN); cy <= toY; cy++) {
-            for (int cx = Math.max(1, (int) Math.floor(left) + MARGIN); cx <= toX; cx++) {
+        int toX = Math.min(width - 2, (int) Math.ceil(turned.right()) + MARGIN);
+        int toY = Math.min(height - 2, (int) Math.ceil(turned.bottom()) + MARGIN);
+        for (int cy = Math.max(1, (int) Math.floor(turned.top()) + MARGIN); cy <= toY; cy++) {
+            for (int cx = Math.max(1, (int) Math.floor(turned.left()) + MARGIN); cx <= toX; cx++) {
                 int fromX = (int) Math.rint(frame.fromReferenceX(cx - MARGIN, cy - MARGIN)) + MARGIN;
                 int fromY = (int) Math.rint(frame.fromReferenceY(cx - MARGIN, cy - MARGIN)) + MARGIN;
                 if (from.isInBox(fromX, fromY)) {

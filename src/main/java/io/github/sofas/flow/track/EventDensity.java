@@ -48,8 +48,8 @@ final class EventDensity {
     }
 
     /**
-     * Whether the newest events come so fast that the structure must move several times as fast as its motion says. So
-     * far off is none that was followed: it moves in another direction.
+     * Whether the newest events come so fast that the structure must move about three times as fast as its motion says.
+     * So far off is none that was followed: it moves in another direction.
      *
      * @param radius of the structure in px
      */

@@ -12,8 +12,7 @@ import java.util.Arrays;
  * the events of late were is the same whatever they were taken for.
  *
  * <p>The last {@value #KEPT} events of a pixel and polarity are one {@code long}: the tick of the newest above the gaps
- * to those before, so that an event is noted by one load and one store, and the history of a DAVIS346 fits the
- * second-level cache of today's processors.
+ * to those before, so that an event is noted by one load and one store, and the history of a DAVIS346 takes 1.4 MB.
  */
 final class PixelHistory {
     /** Px of travel that a trace goes back. */
@@ -21,7 +20,7 @@ final class PixelHistory {
     /** What a px of travel counts for with an event on the very pixel where the edge was; else 1. */
     static final int ON_THE_PIXEL = 3;
     /** Events that are kept of each pixel and polarity. */
-    static final int KEPT = 4;
+    private static final int KEPT = 4;
     /** Speed that a px of travel takes its time from where an edge moves more slowly: what stands has none. */
     private static final double SLOWEST_PX_PER_S = 1;
 

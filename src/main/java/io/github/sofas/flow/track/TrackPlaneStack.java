@@ -23,8 +23,6 @@ public final class TrackPlaneStack {
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
-    /** Time for which it is told where contours may lie; it is told anew with each check. */
-    private static final long REACH_US = CHECK_US;
 
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
@@ -76,7 +74,7 @@ public final class TrackPlaneStack {
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         candidates.clear();
         if (!reaches.tell(timeUs)) {
-            reaches.take(planes, size, timeUs, timeUs + REACH_US);
+            reaches.take(planes, size, timeUs, timeUs + CHECK_US);
         }
         long event = Reaches.event(x, y);
         for (int k = 0; k < size; k++) {

@@ -2,8 +2,8 @@ package io.github.sofas.flow.track;
 
 import static io.github.sofas.flow.track.TrackedEdges.ROWS;
 import static org.junit.Assert.assertEquals;
-import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.Segment;
 import java.util.List;
