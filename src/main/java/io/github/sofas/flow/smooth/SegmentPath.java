@@ -30,6 +30,7 @@ final class SegmentPath {
     private long newestUs = Long.MIN_VALUE;
     private long firstSeenUs = Long.MAX_VALUE;
     private long endUs = Long.MAX_VALUE;
+    private long sureUntilUs = Long.MIN_VALUE;
     /** What was asked for last. */
     private final Motion steady = new Motion();
     private final Motion before = new Motion();
@@ -71,6 +72,16 @@ final class SegmentPath {
     /** Whether its events became those of another. */
     boolean hasEnded() {
         return endUs < Long.MAX_VALUE;
+    }
+
+    /** Time in µs up to which its events were seen to move along it beyond doubt. */
+    long sureUntilUs() {
+        return sureUntilUs;
+    }
+
+    /** Notes that its events move along it beyond doubt up to a time. */
+    void beSure(long untilUs) {
+        sureUntilUs = untilUs;
     }
 
     /** Time of the first event that the causal labels give it in µs. */
@@ -178,8 +189,7 @@ final class SegmentPath {
 
     /** About the root of the mean square distance of its events from their middle. */
     private double radiusIn(Slice slice) {
-        Slice.Box box = slice.box(id);
-        return Math.hypot(box.right - box.left, box.bottom - box.top) / 4;
+        return slice.box(id).radius();
     }
 
     /** Whether its motion was ever measured. */

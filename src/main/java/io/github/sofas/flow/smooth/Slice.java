@@ -41,6 +41,11 @@ final class Slice {
             add(other.right, other.bottom);
             events = all;
         }
+
+        /** About the root of the mean square distance of its events from their middle. */
+        double radius() {
+            return Math.hypot(right - left, bottom - top) / 4;
+        }
     }
 
     final long fromUs;
@@ -58,6 +63,7 @@ final class Slice {
     private final boolean[] nearOpen;
     private final Map<Integer, Box> boxes = new HashMap<>();
     private boolean isStale;
+    private SegmentEvents bySegment;
 
     Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs) {
         this.fromUs = fromUs;
@@ -84,7 +90,7 @@ final class Slice {
     static long mostBytes(SensorSize sensor, int mostEvents) {
         long tiles = (sensor.width() - 1L >> TILE_BITS) + 1;
         tiles *= (sensor.height() - 1L >> TILE_BITS) + 1;
-        return Integer.BYTES * (3L * mostEvents + tiles) + 2 * tiles;
+        return Integer.BYTES * (4L * mostEvents + tiles) + 2 * tiles;
     }
 
     private int[] sort(EventWindow window, SensorSize sensor) {
@@ -113,10 +119,24 @@ final class Slice {
 
     /** Gives the events of a segment to another, which proved to be the same. */
     void join(int segment, int to) {
+        relabel();
         Box joined = boxes.remove(segment);
         if (joined != null) {
             boxes.computeIfAbsent(to, id -> new Box()).add(joined);
         }
+    }
+
+    /** Notes that its events were given to other segments. */
+    void relabel() {
+        bySegment = null;
+    }
+
+    /** Its events by the segments that they have now. */
+    SegmentEvents bySegment(EventWindow window) {
+        if (bySegment == null) {
+            bySegment = new SegmentEvents(window, from, until);
+        }
+        return bySegment;
     }
 
     /** Notes that segments got one label, which may close tiles. */

@@ -40,6 +40,7 @@ public final class Smoother {
     private final Map<Integer, SegmentPath> paths = new TreeMap<>();
     private final Competition competition;
     private final CentredFit fit;
+    private final WarpLoss warpLoss;
     private final Labels labels = new Labels();
     private final KnownAgain knownAgain;
     private long sliceFrom;
@@ -62,6 +63,7 @@ public final class Smoother {
         sliceUs = SliceClock.sliceUs(lookAheadUs);
         competition = new Competition(sensor, window, labels);
         fit = new CentredFit(sensor, window, p);
+        warpLoss = new WarpLoss(sensor, window);
         knownAgain = new KnownAgain(sensor, window);
     }
 
@@ -73,7 +75,7 @@ public final class Smoother {
         int mostEvents = (KEPT + 1) * MOST_EVENTS;
         return EventWindow.mostBytes(mostEvents) + (KEPT + 1) * Slice.mostBytes(sensor, MOST_EVENTS)
             + Competition.mostBytes(sensor, MOST_EVENTS) + CentredFit.bytes(sensor) + 2 * Picture.bytes(sensor)
-            + (long) BYTES_PER_EVENT * mostEvents;
+            + WarpLoss.bytes(sensor) + (long) BYTES_PER_EVENT * mostEvents;
     }
 
     private int events() {
@@ -198,6 +200,7 @@ public final class Smoother {
         int done = slices.size() - 1 - AHEAD;
         if (done >= 0) {
             Slice slice = slices.get(done);
+            unlabel(slice);
             settle(slice);
             labelled = slice.until;
         }
@@ -262,6 +265,18 @@ public final class Smoother {
             }
         }
         competition.decide(slices, index, near, AHEAD * sliceUs, finished);
+        slice.relabel();
+    }
+
+    /** Takes labels away that would blur the picture. */
+    private void unlabel(Slice slice) {
+        for (int id : slice.bySegment(window).segments()) {
+            SegmentPath path = paths.get(id);
+            if (path != null && path.isMeasured()) {
+                warpLoss.unlabel(path, slices, slice, AHEAD * sliceUs);
+            }
+        }
+        slice.relabel();
     }
 
     private void settle(Slice slice) {

@@ -1,0 +1,126 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import java.util.List;
+
+/**
+ * Takes the labels away from events that their segment's path would blur: along it, they meet less often than where
+ * they are. It is the yardstick of flow without a truth (flow warp loss, Stoffregen et al. 2020), segment by segment.
+ * Ours, because a path runs on where its segment stops or turns back, and is missed by what the engine knows of the
+ * past only.
+ */
+final class WarpLoss {
+    /** Travel on either side of a time over which events are moved to it, in px. */
+    private static final double SIDE_PX = 8;
+    /** Travel over both sides below which it does not show what is the sharper. */
+    private static final double LEAST_TRAVEL_PX = 2;
+    /** Fewer events than this show nothing. */
+    private static final int LEAST_EVENTS = 30;
+    /** Meetings along the path, as a multiple of those at rest, that leave no doubt for half of the travel. */
+    private static final double SURE = 1.05;
+    /** Steps of the projection over both sides. */
+    private static final int STEPS = 128;
+
+    private final EventWindow window;
+    private final WarpedPicture picture;
+    private final PathProjection projection = new PathProjection();
+    private final Motion motion = new Motion();
+    private int events;
+
+    WarpLoss(SensorSize sensor, EventWindow window) {
+        this.window = window;
+        picture = new WarpedPicture(sensor);
+    }
+
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
+        return WarpedPicture.bytes(sensor);
+    }
+
+    /**
+     * Takes labels away from events of a segment in a slice.
+     *
+     * @param slices those around it, in order
+     * @param mostSideUs most time that is looked at on either side
+     */
+    void unlabel(SegmentPath path, List<Slice> slices, Slice slice, long mostSideUs) {
+        SegmentEvents own = slice.bySegment(window);
+        int from = own.from(path.id());
+        int until = own.until(path.id());
+        path.at((slice.fromUs + slice.untilUs) / 2, motion);
+        double speed = Math.max(motion.speed(radius(own, from, until)), 1e-3);
+        long sideUs = (long) Math.min(SIDE_PX / speed * 1e6, mostSideUs);
+        if (2e-6 * sideUs * speed < LEAST_TRAVEL_PX) {
+            return;
+        }
+        long blockUs = Math.min(2 * sideUs, slice.untilUs - slice.fromUs);
+        int end = from;
+        for (long us = slice.fromUs; us < slice.untilUs; us += blockUs) {
+            int begin = end;
+            while (end < until && window.timeUs[window.at(own.event(end))] < us + blockUs) {
+                end++;
+            }
+            if (end > begin && blurs(path, slices, us + blockUs / 2, sideUs)) {
+                for (int k = begin; k < end; k++) {
+                    window.give(window.at(own.event(k)), 0, 0);
+                }
+            }
+        }
+    }
+
+    /** About the root of the mean square distance of events from their middle. */
+    private double radius(SegmentEvents own, int from, int until) {
+        Slice.Box box = new Slice.Box();
+        for (int k = from; k < until; k++) {
+            int at = window.at(own.event(k));
+            box.add(window.x[at], window.y[at]);
+        }
+        return box.radius();
+    }
+
+    private boolean blurs(SegmentPath path, List<Slice> slices, long us, long sideUs) {
+        if (us < path.sureUntilUs()) {
+            return false;
+        }
+        projection.begin(path, us, us - sideUs, STEPS / (2.0 * sideUs), STEPS);
+        double along = meetings(path, slices, us - sideUs, us + sideUs, true);
+        if (events < LEAST_EVENTS) {
+            return false;
+        }
+        double atRest = meetings(path, slices, us - sideUs, us + sideUs, false);
+        if (along > SURE * atRest) {
+            path.beSure(us + sideUs);
+        }
+        return along < atRest;
+    }
+
+    /** How often events of a segment meet from one time to before another: along its path, or where they are. */
+    private double meetings(SegmentPath path, List<Slice> slices, long fromUs, long untilUs, boolean isMoved) {
+        picture.clear();
+        events = 0;
+        for (Slice slice : slices) {
+            if (slice.untilUs > fromUs && slice.fromUs < untilUs) {
+                SegmentEvents own = slice.bySegment(window);
+                for (int k = own.from(path.id()); k < own.until(path.id()); k++) {
+                    int at = window.at(own.event(k));
+                    long us = window.timeUs[at];
+                    if (us >= fromUs && us < untilUs) {
+                        draw(window.x[at], window.y[at], us - fromUs, isMoved);
+                    }
+                }
+            }
+        }
+        return picture.meetings();
+    }
+
+    private void draw(int x, int y, long us, boolean isMoved) {
+        events++;
+        if (isMoved) {
+            projection.goTo(projection.step(us));
+            picture.add(projection.x(x, y), projection.y(x, y));
+        } else {
+            picture.add(x, y);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import java.util.Arrays;
+
+/**
+ * The picture that events make when they are moved to one time: how many each pixel gets, whatever their polarity. Its
+ * sharpness tells whether they were moved rightly (flow warp loss, Stoffregen et al. 2020).
+ */
+final class WarpedPicture {
+    /** Weights of the blur, of a standard deviation of a pixel: without it, what slides along itself looks sharper. */
+    private static final int[] BLUR = {6, 4, 1};
+    private static final int REACH = BLUR.length - 1;
+    /** Room around the sensor for what is moved off it, in px, and for what that is blurred to. */
+    private static final int BORDER = 8 + 2 * REACH;
+
+    private final int width;
+    private final int height;
+    private final int[] counts;
+    private final int[] rows;
+    private final int[] line;
+    // box of the pixels that have events
+    private int left;
+    private int top;
+    private int right;
+    private int bottom;
+
+    WarpedPicture(SensorSize sensor) {
+        width = sensor.width() + 2 * BORDER;
+        height = sensor.height() + 2 * BORDER;
+        counts = new int[width * height];
+        rows = new int[width * height];
+        line = new int[width];
+        empty();
+    }
+
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
+        return Integer.BYTES * (sensor.width() + 2L * BORDER) * (2 * (sensor.height() + 2L * BORDER) + 1);
+    }
+
+    private void empty() {
+        left = width;
+        top = height;
+        right = -1;
+        bottom = -1;
+    }
+
+    /** Forgets all events. */
+    void clear() {
+        for (int row = top; row <= bottom; row++) {
+            Arrays.fill(counts, row * width + left, row * width + right + 1, 0);
+        }
+        empty();
+    }
+
+    /** Adds an event for the pixel that it is nearest to; what is moved off by more than 8 px is not seen. */
+    void add(double x, double y) {
+        int column = (int) Math.floor(x + (BORDER + 0.5));
+        int row = (int) Math.floor(y + (BORDER + 0.5));
+        if (column >= 2 * REACH && column < width - 2 * REACH && row >= 2 * REACH && row < height - 2 * REACH) {
+            counts[row * width + column]++;
+            left = Math.min(left, column);
+            right = Math.max(right, column);
+            top = Math.min(top, row);
+            bottom = Math.max(bottom, row);
+        }
+    }
+
+    /**
+     * How often its events meet: the sum of the squares of the blurred counts. Of the same number of events, it is the
+     * greater the sharper the picture is.
+     */
+    double meetings() {
+        for (int row = top; row <= bottom; row++) {
+            for (int k = row * width + left - REACH; k <= row * width + right + REACH; k++) {
+                rows[k] = BLUR[0] * counts[k] + BLUR[1] * (counts[k - 1] + counts[k + 1])
+                    + BLUR[2] * (counts[k - 2] + counts[k + 2]);
+            }
+        }
+        double sum = 0;
+        for (int row = top - REACH; row <= bottom + REACH; row++) {
+            Arrays.fill(line, 0);
+            for (int from = Math.max(top, row - REACH); from <= Math.min(bottom, row + REACH); from++) {
+                int weight = BLUR[Math.abs(from - row)];
+                for (int column = left - REACH; column <= right + REACH; column++) {
+                    line[column] += weight * rows[from * width + column];
+                }
+            }
+            for (int column = left - REACH; column <= right + REACH; column++) {
+                sum += (double) line[column] * line[column];
+            }
+        }
+        return sum;
+    }
+}
