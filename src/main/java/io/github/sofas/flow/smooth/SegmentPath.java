@@ -15,6 +15,10 @@ final class SegmentPath {
     /** Travel that is looked at on either side of what is measured anew, and from one to the next, in px. */
     private static final double REFINED_PX = 8;
     private static final double REFINED_EVERY_PX = 4;
+    /** Travel and time on either side that motions are averaged over, and samples of it. */
+    private static final double AVERAGED_PX = 4;
+    private static final long MOST_AVERAGED_US = 150_000;
+    private static final int SAMPLES = 8;
     /** Shift by rotation and growth on either side below which nothing is measured anew. */
     private static final double LEAST_SHIFT_PX = 0.25;
 
@@ -31,6 +35,8 @@ final class SegmentPath {
     private long firstSeenUs = Long.MAX_VALUE;
     private long endUs = Long.MAX_VALUE;
     private long sureUntilUs = Long.MIN_VALUE;
+    /** About the root of the mean square distance of its events from their middle, where that was looked at last. */
+    private double radius;
     /** What was asked for last. */
     private final Motion steady = new Motion();
     private final Motion before = new Motion();
@@ -163,10 +169,10 @@ final class SegmentPath {
 
     /** Puts knots that are measured anew in the place of those in a slice, where the segment turns or grows. */
     void refine(Slice slice, long mostSideUs, Refinement refinement) {
+        radius = slice.box(id).radius();
         int k = knotsUntil(slice.fromUs - 1);
         while (k < knots.size() && knots.get(k).referenceUs < slice.untilUs) {
             Motion knot = knots.get(k);
-            double radius = radiusIn(slice);
             double speed = Math.max(knot.speed(radius), 1e-3);
             long sideUs = (long) Math.min(REFINED_PX / speed * 1e6, mostSideUs);
             double shift = Math.sqrt(knot.omega * knot.omega + knot.growth * knot.growth) * radius * sideUs * 1e-6;
@@ -185,11 +191,6 @@ final class SegmentPath {
             knots.subList(k, next).clear();
             forgetSteady();
         }
-    }
-
-    /** About the root of the mean square distance of its events from their middle. */
-    private double radiusIn(Slice slice) {
-        return slice.box(id).radius();
     }
 
     /** Whether its motion was ever measured. */
@@ -217,14 +218,47 @@ final class SegmentPath {
         return low;
     }
 
-    /** The motion in the middle of the block of time that a time is in; the next question changes it. */
+    /**
+     * The motion in the middle of the block of time that a time is in, averaged over what is known on both sides: two
+     * measurements in turn have few events in common, and swing about what both are of. The next question changes it.
+     */
     Motion about(long us, long blockUs) {
         if (us < steadyFromUs || us >= steadyUntilUs) {
             steadyFromUs = Math.floorDiv(us, blockUs) * blockUs;
             steadyUntilUs = steadyFromUs + blockUs;
-            at(steadyFromUs + blockUs / 2, steady);
+            average(steadyFromUs + blockUs / 2);
         }
         return steady;
+    }
+
+    /** Averages the motion about a time, what is near counting most, over as much of both sides as has knots. */
+    private void average(long us) {
+        at(us, steady);
+        double travelUs = AVERAGED_PX / Math.max(steady.speed(radius), 1e-3) * 1e6;
+        long known = Math.min(us - first().referenceUs, last().referenceUs - us);
+        double sideUs = Math.min(Math.min(travelUs, MOST_AVERAGED_US), known);
+        if (sideUs <= 0) {
+            return;
+        }
+        double vx = 0;
+        double vy = 0;
+        double omega = 0;
+        double growth = 0;
+        for (int k = 1 - SAMPLES; k < SAMPLES; k++) {
+            long fromUs = (long) (sideUs * k / SAMPLES);
+            at(us + fromUs, before);
+            // the same point of the structure in all
+            before.moveCentre(steady.centreX + steady.vx * fromUs * 1e-6, steady.centreY + steady.vy * fromUs * 1e-6);
+            double weight = (double) (SAMPLES - Math.abs(k)) / (SAMPLES * SAMPLES);
+            vx += weight * before.vx;
+            vy += weight * before.vy;
+            omega += weight * before.omega;
+            growth += weight * before.growth;
+        }
+        steady.vx = vx;
+        steady.vy = vy;
+        steady.omega = omega;
+        steady.growth = growth;
     }
 
     /** The motion at a time. */

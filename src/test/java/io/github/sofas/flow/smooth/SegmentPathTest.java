@@ -161,4 +161,38 @@ public class SegmentPathTest {
         path.add(motion(500_000, 100, 0));
         assertEquals("a new measurement counts at once", 100, path.about(200_000, 100_000).vx, EXACT);
     }
+
+    @Test
+    public void measurementsThatSwingAboutAMotionAreAveraged() {
+        // 90 and 110 px/s in turn, each 5 ms; 4 px of travel are 40 ms
+        for (int k = 0; k <= 40; k++) {
+            Motion knot = motion(5_000L * k, k % 2 == 0 ? 90 : 110, 0.5 * k);
+            knot.omega = k % 2 == 0 ? 1 : 3;
+            knot.growth = k % 2 == 0 ? -1 : 1;
+            path.add(knot);
+        }
+        for (long us = 60_000; us < 140_000; us += 1_000) {
+            Motion about = path.about(us, 1_000);
+            assertEquals(100, about.vx, 3);
+            assertEquals(2, about.omega, 0.3);
+            assertEquals(0, about.growth, 0.3);
+        }
+    }
+
+    @Test
+    public void averageOfAMotionThatChangesEvenlyIsThatMotion() {
+        path.add(motion(0, 100, 0));
+        path.add(motion(1_000_000, 200, 150));
+        for (long us = 500; us < 1_000_000; us += 9_000) {
+            assertEquals(100 + us / 1000 * 0.1 + 0.05, path.about(us, 1_000).vx, 0.01);
+        }
+    }
+
+    @Test
+    public void nothingIsAveragedBeforeTheFirstAndAfterTheLastMeasurement() {
+        path.add(motion(100_000, 100, 0));
+        path.add(motion(200_000, 200, 15));
+        assertEquals(100, path.about(50_000, 1_000).vx, EXACT);
+        assertEquals(200, path.about(250_000, 1_000).vx, EXACT);
+    }
 }
