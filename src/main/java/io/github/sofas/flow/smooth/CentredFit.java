@@ -28,6 +28,7 @@ final class CentredFit {
     private static final int MEASURED_PARTS = 0b10100101;
 
     private final EventWindow window;
+    private final SegmentCursor cursor;
     private final MetricFit fit;
     private final CentredStep step;
     private final SteppedProjection projection = new SteppedProjection();
@@ -36,6 +37,7 @@ final class CentredFit {
 
     CentredFit(SensorSize sensor, EventWindow window, SofasParameters.Track p) {
         this.window = window;
+        cursor = new SegmentCursor(window);
         fit = new MetricFit(sensor.width(), sensor.height(), MetricFit.CELL_PX, 2 * WANTED, MOST_ON_BOTH);
         step = new CentredStep(p);
     }
@@ -76,22 +78,15 @@ final class CentredFit {
         double sumY = 0;
         double squares = 0;
         projection.begin(motion, sideUs, 1, 1);
-        for (Slice slice : slices) {
-            if (slice.untilUs <= us - sideUs || slice.fromUs >= us + sideUs || !slice.has(path.id())) {
-                continue;
-            }
-            for (long i = slice.from; i < slice.until; i++) {
-                int k = window.at(i);
-                if (window.segment[k] == path.id() && Math.abs(window.timeUs[k] - us) < sideUs) {
-                    projection.advance(window.timeUs[k]);
-                    double x = projection.x(window.x[k], window.y[k]);
-                    double y = projection.y(window.x[k], window.y[k]);
-                    n++;
-                    sumX += x;
-                    sumY += y;
-                    squares += x * x + y * y;
-                }
-            }
+        cursor.begin(slices, path.id(), us - sideUs + 1, us + sideUs);
+        for (int k = cursor.next(); k != SegmentCursor.NONE; k = cursor.next()) {
+            projection.advance(window.timeUs[k]);
+            double x = projection.x(window.x[k], window.y[k]);
+            double y = projection.y(window.x[k], window.y[k]);
+            n++;
+            sumX += x;
+            sumY += y;
+            squares += x * x + y * y;
         }
         if (n > 0) {
             motion.moveCentre(sumX / n, sumY / n);
@@ -106,24 +101,18 @@ final class CentredFit {
         // a half of the window, and of that as many squares as have the events that are wanted
         long share = !many ? Long.MAX_VALUE : (long) (2.0 * WANTED / events * (1L << 32));
         projection.begin(motion, sideUs, 2 * radius, STEP_PX);
-        for (Slice slice : slices) {
-            if (slice.untilUs <= us - sideUs || slice.fromUs >= us + sideUs || !slice.has(path.id())) {
+        cursor.begin(slices, path.id(), us - sideUs + 1, us + sideUs);
+        for (int k = cursor.next(); k != SegmentCursor.NONE && fit.size() < fit.capacity(); k = cursor.next()) {
+            long fromUs = window.timeUs[k] - us;
+            if (many && (MEASURED_PARTS >> (fromUs + sideUs) * PARTS / (2 * sideUs) & 1) == 0) {
                 continue;
             }
-            for (long i = slice.from; i < slice.until && fit.size() < fit.capacity(); i++) {
-                int k = window.at(i);
-                long fromUs = window.timeUs[k] - us;
-                if (window.segment[k] != path.id() || Math.abs(fromUs) >= sideUs
-                        || many && (MEASURED_PARTS >> (fromUs + sideUs) * PARTS / (2 * sideUs) & 1) == 0) {
-                    continue;
-                }
-                projection.advance(window.timeUs[k]);
-                double x = projection.x(window.x[k], window.y[k]);
-                double y = projection.y(window.x[k], window.y[k]);
-                if (!many || isMeasured(x, y, us, share)) {
-                    fit.add((float) x, (float) y, fromUs * 1e-6f, (float) (x - motion.centreX),
-                        (float) (y - motion.centreY), window.polarity[k]);
-                }
+            projection.advance(window.timeUs[k]);
+            double x = projection.x(window.x[k], window.y[k]);
+            double y = projection.y(window.x[k], window.y[k]);
+            if (!many || isMeasured(x, y, us, share)) {
+                fit.add((float) x, (float) y, fromUs * 1e-6f, (float) (x - motion.centreX),
+                    (float) (y - motion.centreY), window.polarity[k]);
             }
         }
     }

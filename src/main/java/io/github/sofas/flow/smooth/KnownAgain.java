@@ -29,6 +29,7 @@ final class KnownAgain {
     private static final double STEP_PX = 0.25;
 
     private final EventWindow window;
+    private final SegmentCursor cursor;
     private final Picture lostPicture;
     private final Picture begunPicture;
     private final SteppedProjection projection = new SteppedProjection();
@@ -41,6 +42,7 @@ final class KnownAgain {
 
     KnownAgain(SensorSize sensor, EventWindow window) {
         this.window = window;
+        cursor = new SegmentCursor(window);
         lostPicture = new Picture(sensor);
         begunPicture = new Picture(sensor);
     }
@@ -121,18 +123,10 @@ final class KnownAgain {
         path.at(us + side * sideUs / 2, along);
         along.moveReference(us);
         projection.begin(along, sideUs, 1, STEP_PX);
-        for (Slice slice : slices) {
-            if (slice.untilUs <= us - sideUs || slice.fromUs >= us + sideUs || !slice.has(path.id())) {
-                continue;
-            }
-            for (long i = slice.from; i < slice.until; i++) {
-                int k = window.at(i);
-                long afterUs = side * (window.timeUs[k] - us);
-                if (window.segment[k] == path.id() && afterUs >= 0 && afterUs < sideUs) {
-                    projection.advance(window.timeUs[k]);
-                    picture.add(projection.x(window.x[k], window.y[k]), projection.y(window.x[k], window.y[k]));
-                }
-            }
+        cursor.begin(slices, path.id(), side > 0 ? us : us - sideUs + 1, side > 0 ? us + sideUs : us + 1);
+        for (int k = cursor.next(); k != SegmentCursor.NONE; k = cursor.next()) {
+            projection.advance(window.timeUs[k]);
+            picture.add(projection.x(window.x[k], window.y[k]), projection.y(window.x[k], window.y[k]));
         }
     }
 }

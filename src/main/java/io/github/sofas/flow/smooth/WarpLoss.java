@@ -23,6 +23,7 @@ final class WarpLoss {
     private static final int STEPS = 128;
 
     private final EventWindow window;
+    private final SegmentCursor cursor;
     private final WarpedPicture picture;
     private final PathProjection projection = new PathProjection();
     private final Motion motion = new Motion();
@@ -30,6 +31,7 @@ final class WarpLoss {
 
     WarpLoss(SensorSize sensor, EventWindow window) {
         this.window = window;
+        cursor = new SegmentCursor(window);
         picture = new WarpedPicture(sensor);
     }
 
@@ -99,17 +101,9 @@ final class WarpLoss {
     private double meetings(SegmentPath path, List<Slice> slices, long fromUs, long untilUs, boolean isMoved) {
         picture.clear();
         events = 0;
-        for (Slice slice : slices) {
-            if (slice.untilUs > fromUs && slice.fromUs < untilUs) {
-                SegmentEvents own = slice.bySegment(window);
-                for (int k = own.from(path.id()); k < own.until(path.id()); k++) {
-                    int at = window.at(own.event(k));
-                    long us = window.timeUs[at];
-                    if (us >= fromUs && us < untilUs) {
-                        draw(window.x[at], window.y[at], us - fromUs, isMoved);
-                    }
-                }
-            }
+        cursor.begin(slices, path.id(), fromUs, untilUs);
+        for (int k = cursor.next(); k != SegmentCursor.NONE; k = cursor.next()) {
+            draw(window.x[k], window.y[k], window.timeUs[k] - fromUs, isMoved);
         }
         return picture.meetings();
     }
