@@ -147,7 +147,7 @@ final class Competition {
             return;
         }
         ownLabel = labels.ofPath(path.id());
-        path.at((slice.fromUs + slice.untilUs) / 2, motion);
+        path.at(slice.middleUs(), motion);
         double speed = motion.speed(Math.hypot(right - left, bottom - top) / 4);
         long sideUs = (long) Math.min(TRACE_PX / Math.max(speed, 1e-3) * 1e6, mostSideUs);
         boolean shows = speed * sideUs * 1e-6 >= LEAST_TRAVEL_PX;
@@ -161,7 +161,7 @@ final class Competition {
 
     /** Where the segment may be during the slice: where it was in the nearest one that has events of it, moved. */
     private boolean findBox(SegmentPath path, List<Slice> slices, int index) {
-        Slice.Box box = null;
+        PixelBox box = null;
         Slice nearest = null;
         for (int d = 0; d < slices.size() && box == null; d++) {
             for (int k = index - d; k <= index + d && box == null; k += Math.max(1, 2 * d)) {
@@ -175,7 +175,7 @@ final class Competition {
             return false;
         }
         Slice slice = slices.get(index);
-        path.at((nearest.fromUs + nearest.untilUs) / 2, motion);
+        path.at(nearest.middleUs(), motion);
         double seconds = (slice.fromUs + slice.untilUs - nearest.fromUs - nearest.untilUs) * 0.5e-6;
         double dx = motion.vx * seconds;
         double dy = motion.vy * seconds;

@@ -90,9 +90,9 @@ final class KnownAgain {
         long others = 0;
         eventsSince = 0;
         for (Slice slice : slices) {
-            Slice.Box box = slice.box(lost.id());
+            PixelBox box = slice.box(lost.id());
             if (slice.fromUs >= begun.firstSeenUs()) {
-                Slice.Box other = slice.box(begun.id());
+                PixelBox other = slice.box(begun.id());
                 eventsSince += box == null ? 0 : box.events;
                 others += other == null ? 0 : other.events;
             } else if (box != null) {

@@ -19,35 +19,6 @@ final class Slice {
     /** Events of a tile that a second segment must have, as a share of the labelled ones. */
     private static final double SHARED = 0.02;
 
-    /** Box of a segment's events on the sensor. */
-    static final class Box {
-        int left = Integer.MAX_VALUE;
-        int top = Integer.MAX_VALUE;
-        int right = Integer.MIN_VALUE;
-        int bottom = Integer.MIN_VALUE;
-        int events;
-
-        void add(int x, int y) {
-            left = Math.min(left, x);
-            right = Math.max(right, x);
-            top = Math.min(top, y);
-            bottom = Math.max(bottom, y);
-            events++;
-        }
-
-        void add(Box other) {
-            int all = events + other.events;
-            add(other.left, other.top);
-            add(other.right, other.bottom);
-            events = all;
-        }
-
-        /** About the root of the mean square distance of its events from their middle. */
-        double radius() {
-            return Math.hypot(right - left, bottom - top) / 4;
-        }
-    }
-
     final long fromUs;
     final long untilUs;
     final long from;
@@ -61,7 +32,7 @@ final class Slice {
     private final int[] start;
     private final boolean[] open;
     private final boolean[] nearOpen;
-    private final Map<Integer, Box> boxes = new HashMap<>();
+    private final Map<Integer, PixelBox> boxes = new HashMap<>();
     private boolean isStale;
     private SegmentEvents bySegment;
 
@@ -99,7 +70,7 @@ final class Slice {
             if (sensor.contains(window.x[k], window.y[k])) {
                 start[tile(window.x[k], window.y[k]) + 1]++;
                 if (window.segment[k] != 0) {
-                    boxes.computeIfAbsent(window.segment[k], id -> new Box()).add(window.x[k], window.y[k]);
+                    boxes.computeIfAbsent(window.segment[k], id -> new PixelBox()).add(window.x[k], window.y[k]);
                 }
             }
         }
@@ -120,9 +91,9 @@ final class Slice {
     /** Gives the events of a segment to another, which proved to be the same. */
     void join(int segment, int to) {
         relabel();
-        Box joined = boxes.remove(segment);
+        PixelBox joined = boxes.remove(segment);
         if (joined != null) {
-            boxes.computeIfAbsent(to, id -> new Box()).add(joined);
+            boxes.computeIfAbsent(to, id -> new PixelBox()).add(joined);
         }
     }
 
@@ -230,6 +201,11 @@ final class Slice {
         return (y >> TILE_BITS) * columns + (x >> TILE_BITS);
     }
 
+    /** The middle of its time in µs. */
+    long middleUs() {
+        return (fromUs + untilUs) / 2;
+    }
+
     /** Number of tiles in a row. */
     int columns() {
         return columns;
@@ -304,7 +280,7 @@ final class Slice {
     }
 
     /** Where the events of a segment lie; null where it has none. */
-    Box box(int segment) {
+    PixelBox box(int segment) {
         return boxes.get(segment);
     }
 }

@@ -27,7 +27,6 @@ final class WarpLoss {
     private final WarpedPicture picture;
     private final PathProjection projection = new PathProjection();
     private final Motion motion = new Motion();
-    private int events;
 
     WarpLoss(SensorSize sensor, EventWindow window) {
         this.window = window;
@@ -50,7 +49,7 @@ final class WarpLoss {
         SegmentEvents own = slice.bySegment(window);
         int from = own.from(path.id());
         int until = own.until(path.id());
-        path.at((slice.fromUs + slice.untilUs) / 2, motion);
+        path.at(slice.middleUs(), motion);
         double speed = Math.max(motion.speed(radius(own, from, until)), 1e-3);
         long sideUs = (long) Math.min(SIDE_PX / speed * 1e6, mostSideUs);
         if (2e-6 * sideUs * speed < LEAST_TRAVEL_PX) {
@@ -73,7 +72,7 @@ final class WarpLoss {
 
     /** About the root of the mean square distance of events from their middle. */
     private double radius(SegmentEvents own, int from, int until) {
-        Slice.Box box = new Slice.Box();
+        PixelBox box = new PixelBox();
         for (int k = from; k < until; k++) {
             int at = window.at(own.event(k));
             box.add(window.x[at], window.y[at]);
@@ -86,35 +85,35 @@ final class WarpLoss {
             return false;
         }
         projection.begin(path, us, us - sideUs, STEPS / (2.0 * sideUs), STEPS);
-        double along = meetings(path, slices, us - sideUs, us + sideUs, true);
-        if (events < LEAST_EVENTS) {
+        if (draw(path, slices, us - sideUs, us + sideUs, true) < LEAST_EVENTS) {
             return false;
         }
-        double atRest = meetings(path, slices, us - sideUs, us + sideUs, false);
+        double along = picture.meetings();
+        draw(path, slices, us - sideUs, us + sideUs, false);
+        double atRest = picture.meetings();
         if (along > SURE * atRest) {
             path.beSure(us + sideUs);
         }
         return along < atRest;
     }
 
-    /** How often events of a segment meet from one time to before another: along its path, or where they are. */
-    private double meetings(SegmentPath path, List<Slice> slices, long fromUs, long untilUs, boolean isMoved) {
+    /**
+     * Draws events of a segment from one time to before another, along its path or where they are; returns how many
+     * there are.
+     */
+    private int draw(SegmentPath path, List<Slice> slices, long fromUs, long untilUs, boolean isMoved) {
         picture.clear();
-        events = 0;
+        int events = 0;
         cursor.begin(slices, path.id(), fromUs, untilUs);
         for (int k = cursor.next(); k != SegmentCursor.NONE; k = cursor.next()) {
-            draw(window.x[k], window.y[k], window.timeUs[k] - fromUs, isMoved);
+            events++;
+            if (isMoved) {
+                projection.goTo(projection.step(window.timeUs[k] - fromUs));
+                picture.add(projection.x(window.x[k], window.y[k]), projection.y(window.x[k], window.y[k]));
+            } else {
+                picture.add(window.x[k], window.y[k]);
+            }
         }
-        return picture.meetings();
-    }
-
-    private void draw(int x, int y, long us, boolean isMoved) {
-        events++;
-        if (isMoved) {
-            projection.goTo(projection.step(us));
-            picture.add(projection.x(x, y), projection.y(x, y));
-        } else {
-            picture.add(x, y);
-        }
+        return events;
     }
 }

@@ -19,11 +19,8 @@ final class WarpedPicture {
     private final int[] counts;
     private final int[] rows;
     private final int[] line;
-    // box of the pixels that have events
-    private int left;
-    private int top;
-    private int right;
-    private int bottom;
+    /** Around the pixels that have events. */
+    private final PixelBox box = new PixelBox();
 
     WarpedPicture(SensorSize sensor) {
         width = sensor.width() + 2 * BORDER;
@@ -31,7 +28,6 @@ final class WarpedPicture {
         counts = new int[width * height];
         rows = new int[width * height];
         line = new int[width];
-        empty();
     }
 
     /** The bytes that its arrays take. */
@@ -39,19 +35,12 @@ final class WarpedPicture {
         return Integer.BYTES * (sensor.width() + 2L * BORDER) * (2 * (sensor.height() + 2L * BORDER) + 1);
     }
 
-    private void empty() {
-        left = width;
-        top = height;
-        right = -1;
-        bottom = -1;
-    }
-
     /** Forgets all events. */
     void clear() {
-        for (int row = top; row <= bottom; row++) {
-            Arrays.fill(counts, row * width + left, row * width + right + 1, 0);
+        for (int row = box.top; row <= box.bottom; row++) {
+            Arrays.fill(counts, row * width + box.left, row * width + box.right + 1, 0);
         }
-        empty();
+        box.clear();
     }
 
     /** Adds an event for the pixel that it is nearest to; what is moved off by more than 8 px is not seen. */
@@ -60,10 +49,7 @@ final class WarpedPicture {
         int row = (int) Math.floor(y + (BORDER + 0.5));
         if (column >= 2 * REACH && column < width - 2 * REACH && row >= 2 * REACH && row < height - 2 * REACH) {
             counts[row * width + column]++;
-            left = Math.min(left, column);
-            right = Math.max(right, column);
-            top = Math.min(top, row);
-            bottom = Math.max(bottom, row);
+            box.add(column, row);
         }
     }
 
@@ -72,22 +58,27 @@ final class WarpedPicture {
      * greater the sharper the picture is.
      */
     double meetings() {
-        for (int row = top; row <= bottom; row++) {
-            for (int k = row * width + left - REACH; k <= row * width + right + REACH; k++) {
+        if (box.events == 0) {
+            return 0;
+        }
+        int left = box.left - REACH;
+        int right = box.right + REACH;
+        for (int row = box.top; row <= box.bottom; row++) {
+            for (int k = row * width + left; k <= row * width + right; k++) {
                 rows[k] = BLUR[0] * counts[k] + BLUR[1] * (counts[k - 1] + counts[k + 1])
                     + BLUR[2] * (counts[k - 2] + counts[k + 2]);
             }
         }
         double sum = 0;
-        for (int row = top - REACH; row <= bottom + REACH; row++) {
-            Arrays.fill(line, 0);
-            for (int from = Math.max(top, row - REACH); from <= Math.min(bottom, row + REACH); from++) {
+        for (int row = box.top - REACH; row <= box.bottom + REACH; row++) {
+            Arrays.fill(line, left, right + 1, 0);
+            for (int from = Math.max(box.top, row - REACH); from <= Math.min(box.bottom, row + REACH); from++) {
                 int weight = BLUR[Math.abs(from - row)];
-                for (int column = left - REACH; column <= right + REACH; column++) {
+                for (int column = left; column <= right; column++) {
                     line[column] += weight * rows[from * width + column];
                 }
             }
-            for (int column = left - REACH; column <= right + REACH; column++) {
+            for (int column = left; column <= right; column++) {
                 sum += (double) line[column] * line[column];
             }
         }

@@ -103,7 +103,7 @@ public class SliceTest {
         add(1, 40, 50, 1);
         add(1, 60, 45, 1);
         add(1, 10, 10, 2);
-        Slice.Box box = slice().box(1);
+        PixelBox box = slice().box(1);
         assertEquals(40, box.left);
         assertEquals(60, box.right);
         assertEquals(45, box.top);
