@@ -8,17 +8,17 @@ import java.util.List;
 
 /**
  * Decides whose the events of a slice are, where that is open: each goes to the segment along whose motion its edge
- * came and went. A segment's claim is the number of px of travel, up to {@value #SIDE_PARTS} on either side, in which
+ * came and went. A segment's claim is the number of parts of its travel, {@value #SIDE_PARTS} on either side, in which
  * there was an event of the same polarity within a pixel of where the motion puts the edge; those in which it was on
  * the very pixel count more. Before a recording began and after it ended nothing can be seen: a claim there counts for
- * as much as the rest of the travel would add, up to twice. What no segment claims is noise.
+ * as much as the rest of the travel would add, as far as a few px of it show. What no segment claims is noise.
  *
  * <p>Longer than other classes, because which events are open, who may claim them and how a claim is counted use the
  * same tables of the slice, which are filled once for all of them.
  */
 final class Competition {
     /** Travel that is looked at on either side of an event, in px, and parts that it is looked at in. */
-    static final double TRACE_PX = 8;
+    static final double TRACE_PX = 11;
     static final int SIDE_PARTS = 8;
     /** Parts of the travel that are decided at once, along one motion. */
     private static final double BLOCK_PARTS = 4;
@@ -32,9 +32,9 @@ final class Competition {
     private static final double PRIOR = 2.7;
     /** What events count for that have no label yet, and those of another segment. */
     private static final double NOBODYS = 0.7;
-    private static final double OTHERS = 0.6;
+    private static final double OTHERS = 0.45;
     /** The most that a claim is raised by where the recording does not reach as far as it is looked at. */
-    private static final double MOST_RAISED = 2;
+    private static final double MOST_RAISED = 2.75;
     /** Travel during the look-ahead below which a segment's past and future do not show, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
     /** Room around a segment's box in px. */

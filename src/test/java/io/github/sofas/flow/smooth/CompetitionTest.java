@@ -143,14 +143,15 @@ public class CompetitionTest {
             window.give(window.at(i), id, id);
         }
         slices.add(new Slice(window, SENSOR, before, 0, SLICE_US));
-        competition.decide(slices, 0, paths, 100_000, isAll);
+        // eight parts of a column each
+        competition.decide(slices, 0, paths, 80_000, isAll);
         return countOf(1, 0) + countOf(2, 1);
     }
 
     @Test
     public void claimsCountForMoreWhereARecordingHasBegunAndEnded() {
         // an event meets its edge in two other columns, 3 x 0.7 and 3, or in two of nobody, 2 x 3 x 0.7 = 4.2 of the 7
-        // that it needs; twice that is enough
+        // that it needs; 2.75 times that is enough
         assertEquals(3 * 40, labelledOfThreeColumns(true));
     }
 
