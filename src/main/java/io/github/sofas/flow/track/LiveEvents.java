@@ -1,5 +1,7 @@
 package io.github.sofas.flow.track;
 
+import java.util.function.IntPredicate;
+
 /**
  * The live events of a track plane that its motion is measured from, a ring in order of time: those of the time in
  * which it travels its lifetime.
@@ -145,13 +147,18 @@ final class LiveEvents {
     private void halve() {
         halvings++;
         ofHalfTheTiles = 0;
+        keepIf(i -> takes(tile[i]));
+    }
+
+    /** Keeps only the events, by their indices, of which something is true. */
+    void keepIf(IntPredicate kept) {
         int n = size;
         int from = head - n;
         head = from;
         size = 0;
         for (int k = 0; k < n; k++) {
             int i = from + k & MASK;
-            if (takes(tile[i])) {
+            if (kept.test(i)) {
                 put(x[i], y[i], timeUs[i], sign[i], claim[i], tile[i]);
             }
         }

@@ -22,7 +22,7 @@ final class Merging {
     private static final double GAP_PX = 4;
     /**
      * Travel that both must have been tracked for if their boxes are farther apart than {@link #GAP_PX}: over less, two
-     * bodies of about the same velocity cannot be told from two parts of one, and what has merged is never parted.
+     * bodies of about the same velocity cannot be told from two parts of one, and what has merged is parted late.
      */
     private static final double TRAVEL_PX = 8;
 

@@ -15,8 +15,8 @@ import io.github.sofas.flow.motion.Motion;
  * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration, a rotation
  * and a growth, so that the velocity is that of now and not of the middle of the window.
  *
- * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, merges and ends
- * it. What each of these does is in {@link LiveEvents}, {@link Measurement}, {@link MeasuredMotion}, {@link Contour},
+ * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, parts, merges and
+ * ends it. What each of these does is in {@link LiveEvents}, {@link Measurement}, {@link MeasuredMotion}, {@link Contour},
  * {@link ContourMemory} and {@link EventDensity}.
  */
 public final class TrackPlane {
@@ -36,6 +36,8 @@ public final class TrackPlane {
     private static final int ADRIFT_PART = 2;
     /** Part of the events in which a velocity was looked for that must be new to look again. */
     private static final int LOOK_PART = 4;
+    /** Travel in px after which it is asked again whether a part is a body of its own. */
+    private static final double PARTING_PX = 4;
 
     /** What is to be done with a structure. */
     enum State {
@@ -74,6 +76,8 @@ public final class TrackPlane {
     private long widenedUs;
     /** When its velocity was looked for anew last. */
     private long lookedUs;
+    /** When it was looked for a part last. */
+    private long partingUs;
 
     TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
         this.sensor = sensor;
@@ -110,6 +114,7 @@ public final class TrackPlane {
         measuredUs = nowUs;
         widenedUs = nowUs;
         lookedUs = nowUs;
+        partingUs = nowUs;
     }
 
     /** Gives it its number, under which its motion is told from then on. */
@@ -404,6 +409,38 @@ public final class TrackPlane {
         // enough to be measured with the next event, once for all planes that merge now
         sinceMeasured = live.size();
         return used;
+    }
+
+    /**
+     * Looks every few px of travel whether a part of the structure is a body of its own. Of a dense structure only some
+     * tiles are known, by which nothing lies apart.
+     *
+     * @return whether there is one, which is to be given up to another plane
+     */
+    boolean findPart(Parting parting, MetricFit fit, long nowUs) {
+        if (state != State.TRACKED || live.thinning() > 1 || (nowUs - partingUs) * 1e-6 * speed() < PARTING_PX) {
+            return false;
+        }
+        partingUs = nowUs;
+        return parting.find(live, motion, contour.radius(), fit);
+    }
+
+    /** Gives the part that was found up to another plane, whose motion is measured from its events. */
+    void giveUp(Parting parting, TrackPlane to, MetricFit fit, long nowUs) {
+        to.start(nowUs, parting.vx(), parting.vy());
+        for (int k = 0; k < live.size(); k++) {
+            int i = live.index(k);
+            if (parting.isOfPart(i)) {
+                to.addPast(live.x[i], live.y[i], live.timeUs[i], live.sign[i]);
+            }
+        }
+        to.recentre(fit, nowUs);
+        live.keepIf(i -> !parting.isOfPart(i));
+        contour.draw(live, motion, lifetimeUs);
+        followContour();
+        density.start(live, measurement.lifetimePx());
+        // enough to be measured with the next event
+        sinceMeasured = live.size();
     }
 
     /** Tracks on with other parameters. */

@@ -32,6 +32,7 @@ public final class TrackPlaneStack {
     private final FoundPlanes found;
     private LiveEvents spare = new LiveEvents();
     private final Merging merging = new Merging();
+    private final Parting parting;
     private final Doubts doubts;
     private final PixelHistory history;
     private final Candidates candidates = new Candidates();
@@ -51,6 +52,7 @@ public final class TrackPlaneStack {
         this.fit = fit;
         this.ended = ended;
         found = new FoundPlanes(sensor, p, foundFit, measured);
+        parting = new Parting(sensor);
         doubts = new Doubts(sensor);
         history = new PixelHistory(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
@@ -61,7 +63,7 @@ public final class TrackPlaneStack {
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more ring, for merging
         return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
-            + Doubts.bytes(sensor) + PixelHistory.bytes(sensor);
+            + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor);
     }
 
     /**
@@ -141,7 +143,10 @@ public final class TrackPlaneStack {
         return false;
     }
 
-    /** From time to time removes planes whose structures are gone, and merges those that describe one structure. */
+    /**
+     * From time to time removes planes whose structures are gone, parts those that hold two, and merges those that
+     * describe one.
+     */
     public void check(long nowUs) {
         if (nowUs < nextCheckUs) {
             return;
@@ -155,6 +160,11 @@ public final class TrackPlaneStack {
                 planes[i].measureIfLate(fit, nowUs);
             }
         }
+        for (int i = size - 1; i >= 0 && size < planes.length; i--) {
+            if (planes[i].findPart(parting, fit, nowUs)) {
+                part(planes[i], nowUs);
+            }
+        }
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
                 if (merging.areOne(planes[i], planes[j], nowUs)) {
@@ -162,6 +172,17 @@ public final class TrackPlaneStack {
                 }
             }
         }
+    }
+
+    private void part(TrackPlane whole, long nowUs) {
+        TrackPlane part = found.take(unused);
+        whole.giveUp(parting, part, fit, nowUs);
+        add(part);
+    }
+
+    private void add(TrackPlane plane) {
+        planes[size++] = plane;
+        plane.number(nextId++);
     }
 
     /** The older of two planes takes over the younger; both move along the common motion. */
@@ -204,14 +225,21 @@ public final class TrackPlaneStack {
         return false;
     }
 
-    /** Tracks the planes that were found; from then on as many may be found as there is room for. */
+    /**
+     * Tracks the planes that were found; from then on as many may be found as there is room for. Where parts of others
+     * took that meanwhile, what was found last is let go.
+     */
     public void adopt() {
         if (found.size() > 0) {
             reaches.forget();
         }
         for (int i = 0; i < found.size(); i++) {
-            planes[size] = found.plane(i);
-            planes[size++].number(nextId++);
+            if (size < planes.length) {
+                add(found.plane(i));
+            } else {
+                found.plane(i).clear();
+                unused.add(found.plane(i));
+            }
         }
         found.open(planes.length - size, unused);
     }

@@ -6,10 +6,12 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.flow.PixelConsumer;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.junit.Test;
 
 /** Who gets an event, and which planes there are. */
@@ -304,5 +306,75 @@ public class TrackPlaneStackTest {
         assertEquals(0, edges.label(40, 45));
         edges.begin(40, 30, 100, 1);
         assertEquals(List.of(1), edges.ids());
+    }
+
+    /** Textures of 150 and of 50 dots, one above the other, that a plane holds after 100 ms and that go on for 50. */
+    private final class TwoTextures {
+        private final double[] x0 = new Random(3).doubles(200, 0, 20).toArray();
+        private final double[] y0 = new Random(4).doubles(200, 0, 20).toArray();
+        private final long beganUs = edges.nowUs;
+        private final double faster;
+
+        TwoTextures(double faster) {
+            this.faster = faster;
+            TrackPlane plane = edges.stack.found().create(beganUs, 100, 0);
+            for (long t = -100_000; t <= 0; t += 100) {
+                long us = beganUs + t;
+                at(t, (x, y) -> plane.addPast(x, y, us, 1));
+            }
+            edges.stack.found().begin(plane, beganUs);
+            edges.stack.adopt();
+        }
+
+        /** Those pixels that dots come to in 100 us; the second texture goes by so much more than 100 px/s. */
+        private void at(long t, PixelConsumer pixels) {
+            for (int dot = 0; dot < x0.length; dot++) {
+                boolean isSecond = dot % 4 == 0;
+                double vx = (isSecond ? 100 + faster : 100) * 1e-6;
+                int x = (int) Math.floor(60 + x0[dot] + vx * t);
+                if (x != (int) Math.floor(60 + x0[dot] + vx * (t - 100))) {
+                    pixels.accept(x, (int) (y0[dot] + (isSecond ? 60 : 10)));
+                }
+            }
+        }
+
+        void goOn() {
+            for (long t = 100; t <= 50_000; t += 100) {
+                edges.nowUs = beganUs + t;
+                at(t, edges::label);
+                edges.stack.check(edges.nowUs);
+            }
+        }
+    }
+
+    @Test
+    public void bodyThatMovesOtherwiseThanThePlaneThatHasItBecomesOneOfItsOwn() {
+        new TwoTextures(40).goOn();
+        assertEquals(List.of(1, 2), edges.ids());
+        assertEquals(100, edges.stack.segments().get(0).vxPxPerS(), 3);
+        assertEquals(140, edges.stack.segments().get(1).vxPxPerS(), 3);
+        assertTrue(edges.stack.segments().get(0).maxY() < 40);
+        assertTrue(edges.stack.segments().get(1).minY() > 50);
+        assertEquals(List.of(), edges.ended);
+    }
+
+    @Test
+    public void bodiesThatMoveAlikeStayOnePlane() {
+        new TwoTextures(0).goOn();
+        assertEquals(List.of(1), edges.ids());
+    }
+
+    @Test
+    public void planeThatWasFoundIsLetGoWhereAPartTookTheLastRoom() {
+        edges.stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 2).track());
+        TwoTextures textures = new TwoTextures(40);
+        TrackPlane late = edges.stack.found().create(edges.nowUs, 100, 0);
+        edges.stack.found().begin(late, edges.nowUs);
+        textures.goOn();
+        assertEquals(List.of(1, 2), edges.ids());
+        edges.stack.adopt();
+        assertEquals(List.of(1, 2), edges.ids());
+        assertFalse(edges.stack.tracks(late));
+        assertTrue("no more are to be found", edges.stack.found().isFull());
     }
 }

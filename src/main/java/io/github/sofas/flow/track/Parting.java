@@ -1,0 +1,218 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.fit.VelocityTop;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+import java.util.Arrays;
+
+/**
+ * Whether a part of a track plane is a body of its own: of its live events, laid on each other along its motion, those
+ * that lie apart from the others, if another velocity makes them sharper beyond doubt.
+ *
+ * <p>Ours, because two bodies that moved about alike when they were found, or merged, have one motion from then on that
+ * is right for neither, and each measurement finds the best one for both.
+ */
+final class Parting {
+    /** Side of the cells that events lie apart by, in px, as a power of two. */
+    private static final int CELL_BITS = 2;
+    /** Cells around the sensor: along its motion an event may lie outside. */
+    private static final int MARGIN = 8;
+    /** Events of a cell that belongs to a body: a lone one is noise. */
+    private static final int LEAST_IN_CELL = 2;
+    /** Fewest events of a part that is looked at. */
+    private static final int LEAST_EVENTS = 60;
+    /** Standard deviations that the metric of a part must gain by a velocity of its own. */
+    private static final double SHOWN_SIGMAS = 7;
+    /** What that velocity shifts the ends of the window by, in px, at least, and at most: farther off lie false tops. */
+    private static final double LEAST_SHIFT_PX = 0.5;
+    private static final double MOST_SHIFT_PX = 3;
+    /** Events are projected in steps of this part of a pixel. */
+    private static final double STEP_PX = 1.0 / 32;
+    private static final int FITS = 3;
+    private static final int NOWHERE = -1;
+    private static final int NONE = 0;
+
+    private final int columns;
+    private final int rows;
+    /** Events of each cell, and the part that it is of, from 1 on; {@link #NONE} for none. */
+    private final int[] events;
+    private final int[] parts;
+    /** Events of each part. */
+    private final int[] sizes;
+    /** Cells of a part whose neighbours are not looked at yet. */
+    private final int[] waiting;
+    /** Cell of each live event, by its index. */
+    private final int[] cells = new int[LiveEvents.CAPACITY];
+    private final Motion along = new Motion();
+    private final SteppedProjection stepped = new SteppedProjection();
+    private int part;
+    /** Velocity of the part that was looked at last, besides the structure's; of that which was found, with it. */
+    private double ownVx;
+    private double ownVy;
+    private double vx;
+    private double vy;
+
+    Parting(SensorSize sensor) {
+        columns = cells(sensor.width());
+        rows = cells(sensor.height());
+        events = new int[columns * rows];
+        parts = new int[columns * rows];
+        sizes = new int[columns * rows + 1];
+        waiting = new int[columns * rows];
+    }
+
+    private static int cells(int px) {
+        return (px - 1 >> CELL_BITS) + 1 + 2 * MARGIN;
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        return Integer.BYTES * (4L * cells(sensor.width()) * cells(sensor.height()) + LiveEvents.CAPACITY);
+    }
+
+    /** Velocity of the part that was found last, in px/s, in the middle of the window of the live events. */
+    double vx() {
+        return vx;
+    }
+
+    /** The same, downwards. */
+    double vy() {
+        return vy;
+    }
+
+    /** Whether a live event, by its index, is one of the part that was found last. */
+    boolean isOfPart(int i) {
+        return cells[i] != NOWHERE && parts[cells[i]] == part;
+    }
+
+    /**
+     * Looks for the part that is a body of its own most clearly.
+     *
+     * @param live the events of the structure, of all tiles
+     * @param motion of the structure
+     * @param radius of the structure in px
+     * @return whether there is one
+     */
+    boolean find(LiveEvents live, Motion motion, double radius, MetricFit fit) {
+        long windowUs = live.newestUs() - live.oldestUs();
+        along.copyFrom(motion);
+        along.moveReference(live.oldestUs() + windowUs / 2);
+        layOnCells(live, radius);
+        int count = connect();
+        int largest = 1;
+        for (int k = 2; k <= count; k++) {
+            largest = sizes[k] > sizes[largest] ? k : largest;
+        }
+        double clearest = SHOWN_SIGMAS;
+        int found = NONE;
+        for (part = 1; part <= count; part++) {
+            if (part != largest && sizes[part] >= LEAST_EVENTS && sizes[part] <= fit.capacity()) {
+                double sigmas = sigmasGained(live, radius, windowUs * 0.5e-6, fit);
+                if (sigmas > clearest) {
+                    clearest = sigmas;
+                    found = part;
+                    vx = along.vx + ownVx;
+                    vy = along.vy + ownVy;
+                }
+            }
+        }
+        part = found;
+        return found != NONE;
+    }
+
+    private void begin(LiveEvents live, double radius) {
+        stepped.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
+    }
+
+    /** Notes on which cell each event falls, and counts those of each cell that the structure alone claims. */
+    private void layOnCells(LiveEvents live, double radius) {
+        Arrays.fill(events, 0);
+        begin(live, radius);
+        for (int k = 0; k < live.size(); k++) {
+            int i = live.index(k);
+            stepped.advance(live.timeUs[i]);
+            int column = ((int) Math.floor(stepped.x(live.x[i], live.y[i])) >> CELL_BITS) + MARGIN;
+            int row = ((int) Math.floor(stepped.y(live.x[i], live.y[i])) >> CELL_BITS) + MARGIN;
+            // the outermost cells stay empty, so that each cell has neighbours
+            boolean isInside = column > 0 && row > 0 && column < columns - 1 && row < rows - 1;
+            cells[i] = isInside ? row * columns + column : NOWHERE;
+            if (isInside && live.claim(i) == Claim.OWN) {
+                events[cells[i]]++;
+            }
+        }
+    }
+
+    /** Numbers the parts: cells with events that touch; returns how many there are. */
+    private int connect() {
+        Arrays.fill(parts, NONE);
+        int count = 0;
+        for (int cell = 0; cell < events.length; cell++) {
+            if (isFree(cell)) {
+                sizes[++count] = spread(cell, count);
+            }
+        }
+        return count;
+    }
+
+    private boolean isFree(int cell) {
+        return events[cell] >= LEAST_IN_CELL && parts[cell] == NONE;
+    }
+
+    /** Gives a number to all cells that are connected to one; returns how many events they have. */
+    private int spread(int first, int number) {
+        int size = 0;
+        int open = 0;
+        parts[first] = number;
+        waiting[open++] = first;
+        while (open > 0) {
+            int cell = waiting[--open];
+            size += events[cell];
+            for (int row = cell - columns; row <= cell + columns; row += columns) {
+                for (int next = row - 1; next <= row + 1; next++) {
+                    if (isFree(next)) {
+                        parts[next] = number;
+                        waiting[open++] = next;
+                    }
+                }
+            }
+        }
+        return size;
+    }
+
+    /** What the metric of the part gains by the velocity that suits it best; nothing where that is about the same. */
+    private double sigmasGained(LiveEvents live, double radius, double half, MetricFit fit) {
+        fit.clear();
+        begin(live, radius);
+        for (int k = 0; k < live.size(); k++) {
+            int i = live.index(k);
+            if (isOfPart(i) && live.claim(i) == Claim.OWN) {
+                stepped.advance(live.timeUs[i]);
+                fit.add((float) stepped.x(live.x[i], live.y[i]), (float) stepped.y(live.x[i], live.y[i]),
+                    (live.timeUs[i] - along.referenceUs) * 1e-6f, 0, 0, live.sign[i]);
+            }
+        }
+        double common = fit.metric();
+        double own = climb(half, fit);
+        double shift = Math.hypot(ownVx, ownVy) * half;
+        return shift < LEAST_SHIFT_PX || shift > MOST_SHIFT_PX ? 0 : (own - common) / MetricFit.sd(own);
+    }
+
+    /** Goes from the motion of the structure to the top of the metric beside it; returns it. */
+    private double climb(double half, MetricFit fit) {
+        double px = 1 / half; // velocity that shifts both ends of the window by one pixel
+        double metric = 0;
+        ownVx = 0;
+        ownVy = 0;
+        fit.frame(px);
+        for (int i = 0; i < FITS; i++) {
+            VelocityTop top = fit.fit(ownVx, ownVy, MetricFit.FLAT_SIGMAS);
+            ownVx += top.stepX();
+            ownVy += top.stepY();
+            metric = top.metric();
+            fit.frame(top, MetricFit.neighbourLoss(metric), px);
+        }
+        return metric;
+    }
+}
