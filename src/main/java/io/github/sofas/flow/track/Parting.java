@@ -25,7 +25,7 @@ final class Parting {
     private static final int LEAST_EVENTS = 60;
     /** Standard deviations that the metric of a part must gain by a velocity of its own. */
     private static final double SHOWN_SIGMAS = 7;
-    /** What that velocity shifts the ends of the window by, in px, at least, and at most: farther off lie false tops. */
+    /** What it shifts the ends of the window by, in px, at least, and at most: farther off are false tops. */
     private static final double LEAST_SHIFT_PX = 0.5;
     private static final double MOST_SHIFT_PX = 3;
     /** Events are projected in steps of this part of a pixel. */

@@ -15,9 +15,9 @@ import io.github.sofas.flow.motion.Motion;
  * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration, a rotation
  * and a growth, so that the velocity is that of now and not of the middle of the window.
  *
- * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, parts, merges and
- * ends it. What each of these does is in {@link LiveEvents}, {@link Measurement}, {@link MeasuredMotion}, {@link Contour},
- * {@link ContourMemory} and {@link EventDensity}.
+ * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, parts, merges
+ * and ends it. What each of these does is in {@link LiveEvents}, {@link Measurement}, {@link MeasuredMotion},
+ * {@link Contour}, {@link ContourMemory} and {@link EventDensity}.
  */
 public final class TrackPlane {
     /** Events that a structure must have had to be waited for while it is hidden. */
