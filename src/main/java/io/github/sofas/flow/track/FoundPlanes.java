@@ -74,14 +74,14 @@ public final class FoundPlanes {
 
     /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
     public TrackPlane create(long nowUs, double vx, double vy) {
-        TrackPlane plane = take(unused);
+        TrackPlane plane = take();
         plane.start(nowUs, vx, vy);
         return plane;
     }
 
-    /** One of the planes that are not used, or one more where there are none. */
-    TrackPlane take(List<TrackPlane> free) {
-        return free.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured) : free.remove(free.size() - 1);
+    /** A plane that is not used, or one more where there is none. */
+    TrackPlane take() {
+        return unused.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured) : unused.remove(unused.size() - 1);
     }
 
     /** Measures the motion of a new structure, which expects events from then on. */

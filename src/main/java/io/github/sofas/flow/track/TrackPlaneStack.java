@@ -33,6 +33,8 @@ public final class TrackPlaneStack {
     private LiveEvents spare = new LiveEvents();
     private final Merging merging = new Merging();
     private final Parting parting;
+    /** For the next part: until planes are adopted, those that are not used may be another thread's. */
+    private TrackPlane forPart;
     private final Doubts doubts;
     private final PixelHistory history;
     private final Candidates candidates = new Candidates();
@@ -61,8 +63,8 @@ public final class TrackPlaneStack {
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
-        // one more ring, for merging
-        return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
+        // one more plane, for a part, and one more ring, for merging
+        return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
             + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor);
     }
 
@@ -160,9 +162,11 @@ public final class TrackPlaneStack {
                 planes[i].measureIfLate(fit, nowUs);
             }
         }
-        for (int i = size - 1; i >= 0 && size < planes.length; i--) {
+        for (int i = size - 1; i >= 0 && forPart != null && size < planes.length; i--) {
             if (planes[i].findPart(parting, fit, nowUs)) {
-                part(planes[i], nowUs);
+                planes[i].giveUp(parting, forPart, fit, nowUs);
+                add(forPart);
+                forPart = null;
             }
         }
         for (int i = 0; i < size; i++) {
@@ -172,12 +176,6 @@ public final class TrackPlaneStack {
                 }
             }
         }
-    }
-
-    private void part(TrackPlane whole, long nowUs) {
-        TrackPlane part = found.take(unused);
-        whole.giveUp(parting, part, fit, nowUs);
-        add(part);
     }
 
     private void add(TrackPlane plane) {
@@ -242,6 +240,9 @@ public final class TrackPlaneStack {
             }
         }
         found.open(planes.length - size, unused);
+        if (forPart == null && size > 0) {
+            forPart = found.take();
+        }
     }
 
     /** Notes an event of the past on the contour of a plane that is tracked, as one where more are to come. */
@@ -276,6 +277,7 @@ public final class TrackPlaneStack {
             planes[i].setParameters(p);
         }
         unused.clear();
+        forPart = null;
         found.setParameters(p);
         found.open(planes.length - size, unused);
     }

@@ -377,4 +377,19 @@ public class TrackPlaneStackTest {
         assertFalse(edges.stack.tracks(late));
         assertTrue("no more are to be found", edges.stack.found().isFull());
     }
+
+    @Test
+    public void partsAreMadeOfPlanesThatAreNotUsed() {
+        edges.stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 2).track());
+        for (int times = 0; times < 5; times++) {
+            new TwoTextures(40).goOn();
+            assertEquals(List.of(1, 2), edges.ids());
+            edges.stack.reset();
+        }
+        int usedBefore = 0;
+        while (edges.stack.found().create(edges.nowUs, 100, 0).served() > 1) {
+            usedBefore++;
+        }
+        assertEquals(2, usedBefore);
+    }
 }
