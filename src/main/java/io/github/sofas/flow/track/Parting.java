@@ -47,7 +47,8 @@ final class Parting {
     private final int[] cells = new int[LiveEvents.CAPACITY];
     private final Motion along = new Motion();
     private final SteppedProjection stepped = new SteppedProjection();
-    private int part;
+    /** The part that was found last. */
+    private int found;
     /** Velocity of the part that was looked at last, besides the structure's; of that which was found, with it. */
     private double ownVx;
     private double ownVy;
@@ -84,6 +85,10 @@ final class Parting {
 
     /** Whether a live event, by its index, is one of the part that was found last. */
     boolean isOfPart(int i) {
+        return isOf(found, i);
+    }
+
+    private boolean isOf(int part, int i) {
         return cells[i] != NOWHERE && parts[cells[i]] == part;
     }
 
@@ -106,10 +111,10 @@ final class Parting {
             largest = sizes[k] > sizes[largest] ? k : largest;
         }
         double clearest = SHOWN_SIGMAS;
-        int found = NONE;
-        for (part = 1; part <= count; part++) {
+        found = NONE;
+        for (int part = 1; part <= count; part++) {
             if (part != largest && sizes[part] >= LEAST_EVENTS && sizes[part] <= fit.capacity()) {
-                double sigmas = sigmasGained(live, radius, windowUs * 0.5e-6, fit);
+                double sigmas = sigmasGained(part, live, radius, windowUs * 0.5e-6, fit);
                 if (sigmas > clearest) {
                     clearest = sigmas;
                     found = part;
@@ -118,7 +123,6 @@ final class Parting {
                 }
             }
         }
-        part = found;
         return found != NONE;
     }
 
@@ -182,12 +186,12 @@ final class Parting {
     }
 
     /** What the metric of the part gains by the velocity that suits it best; nothing where that is about the same. */
-    private double sigmasGained(LiveEvents live, double radius, double half, MetricFit fit) {
+    private double sigmasGained(int part, LiveEvents live, double radius, double half, MetricFit fit) {
         fit.clear();
         begin(live, radius);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
-            if (isOfPart(i) && live.claim(i) == Claim.OWN) {
+            if (isOf(part, i) && live.claim(i) == Claim.OWN) {
                 stepped.advance(live.timeUs[i]);
                 fit.add((float) stepped.x(live.x[i], live.y[i]), (float) stepped.y(live.x[i], live.y[i]),
                     (live.timeUs[i] - along.referenceUs) * 1e-6f, 0, 0, live.sign[i]);

@@ -405,10 +405,14 @@ public final class TrackPlane {
             memory.see(other.live.x[i], other.live.y[i], other.live.timeUs[i]);
         }
         live.expire(nowUs - lifetimeUs);
-        density.start(live, measurement.lifetimePx());
-        // enough to be measured with the next event, once for all planes that merge now
-        sinceMeasured = live.size();
+        becomeAnother();
         return used;
+    }
+
+    /** Takes the density of now for the usual one; its motion is measured with the next event, once for all changes. */
+    private void becomeAnother() {
+        density.start(live, measurement.lifetimePx());
+        sinceMeasured = live.size();
     }
 
     /**
@@ -438,9 +442,7 @@ public final class TrackPlane {
         live.keepIf(i -> !parting.isOfPart(i));
         contour.draw(live, motion, lifetimeUs);
         followContour();
-        density.start(live, measurement.lifetimePx());
-        // enough to be measured with the next event
-        sinceMeasured = live.size();
+        becomeAnother();
     }
 
     /** Tracks on with other parameters. */
