@@ -85,7 +85,7 @@ final class Parting {
 
     /** Whether a live event, by its index, is one of the part that was found last. */
     boolean isOfPart(int i) {
-        return isOf(found, i);
+        return found != NONE && isOf(found, i);
     }
 
     private boolean isOf(int part, int i) {
@@ -101,7 +101,11 @@ final class Parting {
      * @return whether there is one
      */
     boolean find(LiveEvents live, Motion motion, double radius, MetricFit fit) {
+        found = NONE;
         long windowUs = live.newestUs() - live.oldestUs();
+        if (windowUs <= 0) {
+            return false;
+        }
         along.copyFrom(motion);
         along.moveReference(live.oldestUs() + windowUs / 2);
         layOnCells(live, radius);
@@ -111,7 +115,6 @@ final class Parting {
             largest = sizes[k] > sizes[largest] ? k : largest;
         }
         double clearest = SHOWN_SIGMAS;
-        found = NONE;
         for (int part = 1; part <= count; part++) {
             if (part != largest && sizes[part] >= LEAST_EVENTS && sizes[part] <= fit.capacity()) {
                 double sigmas = sigmasGained(part, live, radius, windowUs * 0.5e-6, fit);

@@ -440,6 +440,7 @@ public final class TrackPlane {
         }
         to.recentre(fit, nowUs);
         live.keepIf(i -> !parting.isOfPart(i));
+        motion.moveReference(nowUs);
         contour.draw(live, motion, lifetimeUs);
         followContour();
         becomeAnother();

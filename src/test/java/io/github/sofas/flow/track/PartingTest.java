@@ -127,4 +127,13 @@ public class PartingTest {
         assertFalse(find(Claim.OWN));
         assertEquals(0, ofPart(true) + ofPart(false));
     }
+
+    @Test
+    public void eventsOfOneMomentHaveNoParts() {
+        move(120, 30, 10, 30, VX, 0);
+        move(40, 40, SMALL_TOP, 10, 120, 20);
+        events.forEach(event -> event[0] = END_US);
+        assertFalse(find(Claim.OWN));
+        assertEquals(0, ofPart(true) + ofPart(false));
+    }
 }

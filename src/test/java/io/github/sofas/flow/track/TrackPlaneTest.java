@@ -313,4 +313,34 @@ public class TrackPlaneTest {
         assertEquals(State.WAITED_FOR, plane.update(nowUs));
         assertTrue(plane.isPredictive());
     }
+
+    @Test
+    public void contourThatGaveUpAPartHasTheNewestEvents() {
+        // two textures, apart, of which the second is faster by 60 px/s
+        double[] at = new Random(3).doubles(400, 0, 20).toArray();
+        plane.start(0, 100, 0);
+        for (long t = -100_000; t <= 0; t += 100) {
+            for (int dot = 0; dot < 200; dot++) {
+                double vx = (dot % 4 == 0 ? 160 : 100) * 1e-6;
+                int x = (int) Math.floor(60 + at[dot] + vx * t);
+                if (x != (int) Math.floor(60 + at[dot] + vx * (t - 100))) {
+                    plane.addPast(x, (int) at[dot + 200] + (dot % 4 == 0 ? 60 : 10), t, 1);
+                }
+            }
+        }
+        plane.recentre(fit, 0);
+        // what comes into sight then is not measured yet
+        int measurements = measuredUs.size();
+        for (int y = 20; y < 35; y++) {
+            take(100, y, 20_000, 1, Claim.OWN);
+        }
+        assertEquals(measurements, measuredUs.size());
+        Parting parting = new Parting(SENSOR);
+        assertTrue(plane.findPart(parting, fit, 40_000));
+        TrackPlane part = new TrackPlane(SENSOR, new Contour.Spare(SENSOR), SofasParameters.defaults().track(),
+            (segment, motion) -> { });
+        plane.giveUp(parting, part, fit, 40_000);
+        assertTrue(plane.support(102, 27, 40_000, 1) > 0);
+        assertEquals("those of the part", 0, plane.support(70, 70, 40_000, 1));
+    }
 }
