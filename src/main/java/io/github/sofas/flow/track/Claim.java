@@ -6,6 +6,6 @@ enum Claim {
     OWN,
     /** It lies on another's contour, too: it shows nothing of the motion. */
     SHARED,
-    /** It lies where the structure was seen, and no event was near of late: it may be noise. */
+    /** It lies on no contour, but where the structure was seen, or in its box: it may be noise. */
     REMEMBERED
 }

@@ -23,6 +23,10 @@ public final class TrackPlaneStack {
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
+    /** Least {@linkplain PixelHistory trace} of a remembered event that another plane may have: noise has none. */
+    private static final int LEAST_TRACE = 2;
+    /** By how much its trace must be longer along the motion of a plane that does not remember it. */
+    private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
 
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
@@ -87,20 +91,19 @@ public final class TrackPlaneStack {
             }
         }
         TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
-        if (size > 1) {
-            // else nobody will ask, and the memory of a wall's events alone would cost a third of their labels
-            history.note(x, y, timeUs, polarity);
-        }
         boolean explained = true;
         Claim claim;
         if (best == null) {
-            best = remembering(x, y, timeUs);
+            best = unexpected(x, y, timeUs, polarity);
             claim = Claim.REMEMBERED;
         } else {
             boolean doubtful = candidates.isDoubtful();
             explained = !(doubts.note(x, y, doubtful) && doubtful);
             boolean isShared = candidates.areClose() || candidates.isWeak() && isRememberedByOther(best, x, y, timeUs);
             claim = isShared ? Claim.SHARED : Claim.OWN;
+        }
+        if (keepsHistory()) {
+            history.note(x, y, timeUs, polarity);
         }
         if (best == null) {
             write(output, i, 0, 0, 0);
@@ -114,6 +117,42 @@ public final class TrackPlaneStack {
         best.take(x, y, timeUs, polarity, claim, fit);
         reaches.follow(best, planes, size, timeUs);
         return explained;
+    }
+
+    /** Whether traces are known: of a lone wall they would cost a third of its labels, and nobody else is there. */
+    private boolean keepsHistory() {
+        return size > 1;
+    }
+
+    /**
+     * The plane that has an event which lies on no contour: the one that remembers its place, unless the edge came
+     * farther along the motion of another in whose box it lies; null where it came along neither. What comes out from
+     * behind a body is on no contour, and the body would remember it there, follow it, and be carried away.
+     */
+    private TrackPlane unexpected(int x, int y, long timeUs, int polarity) {
+        TrackPlane remembering = remembering(x, y, timeUs);
+        if (!keepsHistory()) {
+            return remembering;
+        }
+        int own = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
+        int farthest = own + CLEAR_TRACE;
+        TrackPlane other = null;
+        boolean isContested = false;
+        long event = Reaches.event(x, y);
+        for (int k = 0; k < size; k++) {
+            if (planes[k] != remembering && reaches.hold(k, event)) {
+                isContested = true;
+                int trace = history.traceBeyond(farthest, x, y, timeUs, polarity, planes[k].motion());
+                if (trace > farthest) {
+                    farthest = trace;
+                    other = planes[k];
+                }
+            }
+        }
+        if (other != null) {
+            return other;
+        }
+        return isContested && own < LEAST_TRACE ? null : remembering;
     }
 
     private static void write(FlowOutput output, int i, int id, float vx, float vy) {

@@ -253,6 +253,40 @@ public class TrackPlaneStackTest {
         assertEquals("not beside it", 0, edges.label(70, 45));
     }
 
+    /** The plane of an event where plane 1 is remembered, in the box of plane 2, whose edge came by some columns. */
+    private int planeOfUncovered(int columns) {
+        edges.begin(20, 30, 100, 1);
+        edges.goOn(20, 30, 15);
+        edges.pause();
+        TrackPlane other = edges.begin(100, 60, -100, 1);
+        edges.stack.see(other, 30, 20, edges.nowUs, 1, edges.nowUs);
+        for (int c = columns; c >= 1; c--) {
+            assertEquals("an edge that has just come out", 0, edges.label(55 + c, 45));
+            edges.nowUs += 10_000;
+        }
+        return edges.label(55, 45);
+    }
+
+    @Test
+    public void whatComesOutFromBehindABodyGoesToThePlaneAlongWhoseMotionItCame() {
+        assertEquals("nine of three px on the very pixel, more than six", 2, planeOfUncovered(3));
+    }
+
+    @Test
+    public void rememberedEventThatAnotherMayHaveIsNobodysUnlessItsEdgeCameAlong() {
+        assertEquals(0, planeOfUncovered(0));
+    }
+
+    @Test
+    public void planeThatWasHiddenGetsItsEventsBackInTheBoxOfAnother() {
+        planeOfUncovered(0);
+        for (int c = 1; c <= 3; c++) {
+            edges.nowUs += 10_000;
+            edges.label(55 + c, 45);
+        }
+        assertEquals(1, edges.output.segment[0]);
+    }
+
     @Test
     public void planeThatGetsNoEventsIsRemoved() {
         edges.begin(40, 30, 100, 1);
