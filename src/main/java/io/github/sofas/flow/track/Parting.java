@@ -28,6 +28,8 @@ final class Parting {
     /** What it shifts the ends of the window by, in px, at least, and at most: farther off are false tops. */
     private static final double LEAST_SHIFT_PX = 0.5;
     private static final double MOST_SHIFT_PX = 3;
+    /** Shift by the first step towards it below which the part moves with the rest, which spares most two fits. */
+    private static final double LEAST_FIRST_PX = 0.25;
     /** Events are projected in steps of this part of a pixel. */
     private static final double STEP_PX = 1.0 / 32;
     private static final int FITS = 3;
@@ -218,6 +220,9 @@ final class Parting {
             ownVx += top.stepX();
             ownVy += top.stepY();
             metric = top.metric();
+            if (i == 0 && Math.hypot(ownVx, ownVy) * half < LEAST_FIRST_PX) {
+                return metric;
+            }
             fit.frame(top, MetricFit.neighbourLoss(metric), px);
         }
         return metric;
