@@ -151,7 +151,7 @@ public class AccuracyTest {
 
     @Test
     public void moversThatCrossOrHideEachOtherKeepTheirSegments() {
-        assertReaches(Scene.THREE_CROSSING, PLAIN, 8.54, 0.03, 7.79, 28.85);
+        assertReaches(Scene.THREE_CROSSING, PLAIN, 8.11, 0.52, 8.57, 27.78);
         assertReaches(Scene.FOUR_BARS, PLAIN, 3.90, 0.35, 12.89, 17.49);
         assertReaches(Scene.PASSING_BEHIND, PLAIN, 1.93, 0.18, 5.56, 11.83);
     }
