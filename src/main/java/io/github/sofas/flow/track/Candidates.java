@@ -3,12 +3,13 @@ package io.github.sofas.flow.track;
 import java.util.Arrays;
 
 /**
- * The track planes that expect an event, and whose it is: that of the nearest contour, unless the edge came farther
- * along the motion of another.
+ * The track planes that may have an event, and whose it is: that of the nearest contour, or the one that remembers its
+ * place where it lies on none, unless the edge came farther along the motion of another.
  *
  * <p>Ours. A contour has what its plane was given before, so that of structures that overlap the one that has been
  * given more gets more; {@link PixelHistory} knows the events of late whatever they were taken for. Edges that come as
- * far along several motions, as those of the pieces that a body is found in, stay with their piece.
+ * far along several motions, as those of the pieces that a body is found in, stay with their piece. What comes out from
+ * behind a body is on no contour: the body would remember its place, follow it, and be carried away.
  */
 final class Candidates {
     /** Close support decides which contour is nearest, and support by all cells around it where that is the same. */
@@ -17,7 +18,12 @@ final class Candidates {
     private static final double SHARED_SCORE = 0.5;
     /** Support below this many thresholds is weak. */
     private static final int WEAK = 2;
+    /** Least trace of a remembered event that another plane may have: noise has none. */
+    private static final int LEAST_TRACE = 2;
+    /** What its trace must be longer by along the motion of a plane that does not remember it. */
+    private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
 
+    /** Those that expect it; as long as none does, all that were offered it. */
     private TrackPlane[] planes = new TrackPlane[16];
     private int size;
     private TrackPlane nearest;
@@ -38,16 +44,19 @@ final class Candidates {
         second = Integer.MIN_VALUE;
     }
 
-    /** Considers a plane, which is a candidate if the event lies on its contour. */
+    /** Considers a plane in whose box the event lies; it expects the event if that lies on its contour. */
     void offer(TrackPlane plane, int x, int y, long timeUs, int polarity) {
         int its = plane.support(x, y, timeUs, polarity);
         if (its < plane.threshold()) {
+            if (nearest == null) {
+                add(plane);
+            }
             return;
         }
-        if (size == planes.length) {
-            planes = Arrays.copyOf(planes, 2 * size);
+        if (nearest == null) {
+            size = 0;
         }
-        planes[size++] = plane;
+        add(plane);
         int close = plane.closeSupport(polarity);
         int score = close * CLOSE_WEIGHT + its;
         if (score > most) {
@@ -61,25 +70,61 @@ final class Candidates {
         }
     }
 
-    /** The plane that the event belongs to; null where there is no candidate. */
+    private void add(TrackPlane plane) {
+        if (size == planes.length) {
+            planes = Arrays.copyOf(planes, 2 * size);
+        }
+        planes[size++] = plane;
+    }
+
+    /** The plane that the event belongs to; null where none expects it. */
     TrackPlane best(PixelHistory history, int x, int y, long timeUs, int polarity) {
         best = nearest;
-        if (size > 1) {
-            int farthest = history.trace(x, y, timeUs, polarity, nearest.motion()) + PixelHistory.ON_THE_PIXEL;
-            for (int i = 0; i < size; i++) {
-                int trace = planes[i] == nearest ? 0
-                    : history.traceBeyond(farthest, x, y, timeUs, polarity, planes[i].motion());
-                if (trace > farthest) {
-                    farthest = trace;
-                    best = planes[i];
-                }
-            }
+        if (nearest != null && size > 1) {
+            int trace = history.trace(x, y, timeUs, polarity, nearest.motion());
+            best = farther(trace + PixelHistory.ON_THE_PIXEL, nearest, history, x, y, timeUs, polarity);
             if (best != nearest) {
                 support = best.support(x, y, timeUs, polarity);
                 closeSupport = best.closeSupport(polarity);
             }
         }
         return best;
+    }
+
+    /**
+     * The plane that has the event where none expects it.
+     *
+     * @param remembering the plane that remembers its place; null for none
+     * @return null where its edge came along no motion
+     */
+    TrackPlane unexpected(TrackPlane remembering, PixelHistory history, int x, int y, long timeUs, int polarity) {
+        if (!isOfferedBeside(remembering)) {
+            return remembering;
+        }
+        int trace = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
+        TrackPlane its = farther(trace + CLEAR_TRACE, remembering, history, x, y, timeUs, polarity);
+        return its == remembering && trace < LEAST_TRACE ? null : its;
+    }
+
+    private boolean isOfferedBeside(TrackPlane plane) {
+        return size > 1 || size == 1 && planes[0] != plane;
+    }
+
+    /** The plane along whose motion the edge came farthest, if by more than a trace; else the one that is known. */
+    private TrackPlane farther(int trace, TrackPlane known, PixelHistory history, int x, int y, long timeUs,
+                               int polarity) {
+        int farthest = trace;
+        TrackPlane its = known;
+        for (int i = 0; i < size; i++) {
+            if (planes[i] != known) {
+                int other = history.traceBeyond(farthest, x, y, timeUs, polarity, planes[i].motion());
+                if (other > farthest) {
+                    farthest = other;
+                    its = planes[i];
+                }
+            }
+        }
+        return its;
     }
 
     /** Whether it is doubtful that the event is of the plane that has it. */

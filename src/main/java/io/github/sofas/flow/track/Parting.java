@@ -204,8 +204,12 @@ final class Parting {
         }
         double common = fit.metric();
         double own = climb(half, fit);
-        double shift = Math.hypot(ownVx, ownVy) * half;
+        double shift = shiftPx(half);
         return shift < LEAST_SHIFT_PX || shift > MOST_SHIFT_PX ? 0 : (own - common) / MetricFit.sd(own);
+    }
+
+    private double shiftPx(double half) {
+        return Math.hypot(ownVx, ownVy) * half;
     }
 
     /** Goes from the motion of the structure to the top of the metric beside it; returns it. */
@@ -220,7 +224,7 @@ final class Parting {
             ownVx += top.stepX();
             ownVy += top.stepY();
             metric = top.metric();
-            if (i == 0 && Math.hypot(ownVx, ownVy) * half < LEAST_FIRST_PX) {
+            if (i == 0 && shiftPx(half) < LEAST_FIRST_PX) {
                 return metric;
             }
             fit.frame(top, MetricFit.neighbourLoss(metric), px);

@@ -23,10 +23,6 @@ public final class TrackPlaneStack {
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
-    /** Least {@linkplain PixelHistory trace} of a remembered event that another plane may have: noise has none. */
-    private static final int LEAST_TRACE = 2;
-    /** By how much its trace must be longer along the motion of a plane that does not remember it. */
-    private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
 
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
@@ -94,7 +90,10 @@ public final class TrackPlaneStack {
         boolean explained = true;
         Claim claim;
         if (best == null) {
-            best = unexpected(x, y, timeUs, polarity);
+            best = remembering(x, y, timeUs);
+            if (keepsHistory()) {
+                best = candidates.unexpected(best, history, x, y, timeUs, polarity);
+            }
             claim = Claim.REMEMBERED;
         } else {
             boolean doubtful = candidates.isDoubtful();
@@ -122,37 +121,6 @@ public final class TrackPlaneStack {
     /** Whether traces are known: of a lone wall they would cost a third of its labels, and nobody else is there. */
     private boolean keepsHistory() {
         return size > 1;
-    }
-
-    /**
-     * The plane that has an event which lies on no contour: the one that remembers its place, unless the edge came
-     * farther along the motion of another in whose box it lies; null where it came along neither. What comes out from
-     * behind a body is on no contour, and the body would remember it there, follow it, and be carried away.
-     */
-    private TrackPlane unexpected(int x, int y, long timeUs, int polarity) {
-        TrackPlane remembering = remembering(x, y, timeUs);
-        if (!keepsHistory()) {
-            return remembering;
-        }
-        int own = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
-        int farthest = own + CLEAR_TRACE;
-        TrackPlane other = null;
-        boolean isContested = false;
-        long event = Reaches.event(x, y);
-        for (int k = 0; k < size; k++) {
-            if (planes[k] != remembering && reaches.hold(k, event)) {
-                isContested = true;
-                int trace = history.traceBeyond(farthest, x, y, timeUs, polarity, planes[k].motion());
-                if (trace > farthest) {
-                    farthest = trace;
-                    other = planes[k];
-                }
-            }
-        }
-        if (other != null) {
-            return other;
-        }
-        return isContested && own < LEAST_TRACE ? null : remembering;
     }
 
     private static void write(FlowOutput output, int i, int id, float vx, float vy) {
