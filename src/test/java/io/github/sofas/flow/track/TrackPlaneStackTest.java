@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.Test;
 
-/** Who gets an event, and which planes there are. */
+/** A stack of track planes as a whole; which of them gets an event is asked in {@link CandidatesTest}. */
 public class TrackPlaneStackTest {
     private final TrackedEdges edges = new TrackedEdges();
 
@@ -90,83 +90,6 @@ public class TrackPlaneStackTest {
         assertEquals(0, edges.stack.segments().get(0).events());
     }
 
-    @Test
-    public void eventGoesToThePlaneThatExplainsMostOfItsPast() {
-        // of the second edge, which came the other way, only three columns were seen, if with nine times the events
-        edges.begin(40, 30, 100, 1);
-        edges.begin(40, 30, -100, 9, 3);
-        assertEquals(1, edges.label(40, 45));
-        assertEquals(100, edges.output.vxPxPerS[0], 3);
-    }
-
-    @Test
-    public void eventGoesToThePlaneWhoseEdgeIsNearest() {
-        // after 3 ms an event of column 40 is at 39.7 of the first plane, whose edge, seen in five sixteenths, is at 41
-        edges.begin(41, 30, 100, 1);
-        // and at 40.3 of the second, whose edge, seen in three, is at 40
-        edges.begin(40, 30, -100, 1, 3);
-        edges.nowUs += 3_000;
-        assertEquals(2, edges.label(40, 45));
-    }
-
-    @Test
-    public void ofPlanesAsNearOneWithMoreAroundGetsTheEvent() {
-        // of both planes three sixteenths are near; of the second, where the event is at 39.7, two more were seen at 41
-        edges.begin(40, 30, -100, 1, 3);
-        TrackPlane plane = edges.stack.found().create(edges.nowUs, 100, 0);
-        for (int c = COLUMNS - 1; c >= 0; c--) {
-            for (int y = 0; y < ROWS; y++) {
-                plane.addPast((c < 3 ? 40 : 41) - c, 30 + y, edges.nowUs - c * 10_000, 1);
-            }
-        }
-        edges.stack.found().begin(plane, edges.nowUs);
-        edges.stack.adopt();
-        edges.nowUs += 3_000;
-        assertEquals(2, edges.label(40, 45));
-    }
-
-    /** Planes 1 and 2: of one alone it is not noted where events were. */
-    private void beginTwoElsewhere() {
-        edges.begin(110, 0, 100, 1);
-        edges.begin(90, 60, -100, 1);
-    }
-
-    /** The plane of an event at (40, 45), which an edge reached from the right through so many columns. */
-    private int planeOfEdgeFromTheRight(int columns) {
-        beginTwoElsewhere();
-        edges.nowUs -= columns * 10_000;
-        for (int c = columns; c >= 1; c--) {
-            assertEquals("none expects it yet", 0, edges.label(40 + c, 45));
-            edges.nowUs += 10_000;
-        }
-        // the contour of the first, plane 3, is nearer, as above
-        edges.begin(40, 30, 100, 1);
-        edges.begin(40, 30, -100, 9, 3);
-        return edges.label(40, 45);
-    }
-
-    @Test
-    public void eventGoesToThePlaneAlongWhoseMotionItsEdgeCame() {
-        assertEquals(4, planeOfEdgeFromTheRight(2));
-        assertEquals(-100, edges.output.vxPxPerS[0], 3);
-    }
-
-    @Test
-    public void eventWhoseEdgeCameOnePxFartherStaysWithTheNearestContour() {
-        assertEquals(3, planeOfEdgeFromTheRight(1));
-    }
-
-    @Test
-    public void resetForgetsWhereEdgesCameFrom() {
-        beginTwoElsewhere();
-        edges.label(42, 45);
-        edges.nowUs += 10_000;
-        edges.label(41, 45);
-        edges.nowUs += 10_000;
-        edges.stack.reset();
-        assertEquals(3, planeOfEdgeFromTheRight(0));
-    }
-
     /**
      * An edge of which five columns were seen, each in another sixteenth, so that its support is 10; and nine dots on
      * the tile of 8 px at (80, 32), so far apart that none supports another, that were seen twice: 4, less than 0.6 of
@@ -212,79 +135,6 @@ public class TrackPlaneStackTest {
         edges.stack.reset();
         int[] dot = beginWithDots().get(0);
         assertTrue(edges.stack.label(dot[0], dot[1], edges.nowUs, 1, edges.output, 0));
-    }
-
-    /**
-     * Events that the edge at column 40 is measured from when it enters two more: with the 40th event, the least
-     * that is new. Of its past there are the columns of the last 50 ms, 37 to 40.
-     */
-    private int measured() {
-        for (int c = 1; c <= 2; c++) {
-            edges.nowUs += 10_000;
-            for (int y = 0; y < ROWS; y++) {
-                edges.label(40 + c, 30 + y);
-            }
-        }
-        return edges.fit.size();
-    }
-
-    @Test
-    public void eventThatOnePlaneClaimsMeasuresIt() {
-        edges.begin(40, 30, 100, 1);
-        assertEquals(4 * ROWS + 40, measured());
-    }
-
-    @Test
-    public void eventThatTwoPlanesClaimMeasuresNeither() {
-        // the same edge once more: what comes from now on lies on both
-        edges.begin(40, 30, 100, 1);
-        edges.begin(40, 30, 100, 1);
-        assertEquals(4 * ROWS, measured());
-    }
-
-    @Test
-    public void planeThatWasHiddenGetsItsEventsBackWhereItIsRemembered() {
-        edges.begin(20, 30, 100, 1);
-        assertEquals(1, edges.goOn(20, 30, 15));
-        // hidden for 200 ms, in which its contour fades
-        edges.pause();
-        assertEquals(List.of(1), edges.ids());
-        assertEquals(1, edges.label(55, 45));
-        assertEquals("not beside it", 0, edges.label(70, 45));
-    }
-
-    /** The plane of an event where plane 1 is remembered, in the box of plane 2, whose edge came by some columns. */
-    private int planeOfUncovered(int columns) {
-        edges.begin(20, 30, 100, 1);
-        edges.goOn(20, 30, 15);
-        edges.pause();
-        TrackPlane other = edges.begin(100, 60, -100, 1);
-        edges.stack.see(other, 30, 20, edges.nowUs, 1, edges.nowUs);
-        for (int c = columns; c >= 1; c--) {
-            assertEquals("an edge that has just come out", 0, edges.label(55 + c, 45));
-            edges.nowUs += 10_000;
-        }
-        return edges.label(55, 45);
-    }
-
-    @Test
-    public void whatComesOutFromBehindABodyGoesToThePlaneAlongWhoseMotionItCame() {
-        assertEquals("nine of three px on the very pixel, more than six", 2, planeOfUncovered(3));
-    }
-
-    @Test
-    public void rememberedEventThatAnotherMayHaveIsNobodysUnlessItsEdgeCameAlong() {
-        assertEquals(0, planeOfUncovered(0));
-    }
-
-    @Test
-    public void planeThatWasHiddenGetsItsEventsBackInTheBoxOfAnother() {
-        planeOfUncovered(0);
-        for (int c = 1; c <= 3; c++) {
-            edges.nowUs += 10_000;
-            edges.label(55 + c, 45);
-        }
-        assertEquals(1, edges.output.segment[0]);
     }
 
     @Test
