@@ -153,6 +153,7 @@ final class LiveEvents {
     /** Keeps only the events, by their indices, of which something is true. */
     void keepIf(IntPredicate kept) {
         int n = size;
+        int ofHalf = ofHalfTheTiles;
         int from = head - n;
         head = from;
         size = 0;
@@ -160,6 +161,8 @@ final class LiveEvents {
             int i = from + k & MASK;
             if (kept.test(i)) {
                 put(x[i], y[i], timeUs[i], sign[i], claim[i], tile[i]);
+            } else if (k < ofHalf) {
+                ofHalfTheTiles--;
             }
         }
     }

@@ -136,6 +136,23 @@ public class LiveEventsTest {
     }
 
     @Test
+    public void eventsThatAreGivenUpStandForNoOthersAnyMore() {
+        fill(live);
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
+        // every other µs from 16,388 on: 8,190 events, and the last one
+        live.expire(16_388);
+        live.widen();
+        live.add(5, 5, 40_001, 1, Claim.OWN, 7);
+        live.add(5, 5, 40_002, 1, Claim.OWN, 7);
+        // every fourth µs from 16,388 on: 4,095 events, each for two; the last one of these tiles, and one of all
+        live.keepIf(i -> live.timeUs[i] % 4 == 0 || live.timeUs[i] == 40_001);
+        assertEquals(4_097, live.size());
+        assertEquals(2 * 4_096 + 1, live.given());
+        live.expire(40_000);
+        assertEquals(2 + 1, live.given());
+    }
+
+    @Test
     public void newestAreKept() {
         for (long timeUs : new long[] {10, 20, 30, 40}) {
             live.add(0, 0, timeUs, 1, Claim.OWN, 0);
