@@ -8,7 +8,9 @@ import java.util.Arrays;
  * itself, and an arc that slides along itself looks as if it turned about its middle: without the tensor, a disc found
  * in two arcs stayed two that turn. Only what shows of a parameter beyond the others is known of it.
  *
- * <p>A mean over the measurements of late, because one sample of events is a rough picture.
+ * <p>A mean over the measurements of late, because one sample of events is a rough picture: of what shows in each, not
+ * of the pictures. Turning about a centre beside a disc's is a shift; centres of late that lie on all sides of it need
+ * shifts to all sides, of which the mean is none, and the disc would turn.
  */
 final class StructureTensor {
     /** Number of the turning among the four parameters, and of the growth. */
@@ -18,10 +20,12 @@ final class StructureTensor {
     /** Share of the changes that may be noise, so that parameters of which nothing shows take nothing away. */
     private static final double NOISE = 0.005;
     /** Part of a new picture that is taken over. */
-    private static final double GAIN = 0.3;
+    private static final double GAIN = 0.6;
 
     private final double[][] sum = new double[N][N];
-    private final double[][] mean = new double[N][N];
+    /** What shows of each parameter as a share of all that shows, and what of that is its own: means of late. */
+    private final double[] shows = new double[N];
+    private final double[] own = new double[N];
     private boolean known;
     // by how much each parameter changes a place of the one picture, and of the other
     private final double[] one = new double[N];
@@ -75,29 +79,32 @@ final class StructureTensor {
         }
         double gain = known ? GAIN : 1;
         known = true;
-        for (int i = 0; i < N; i++) {
-            for (int j = 0; j < N; j++) {
-                mean[i][j] += gain * ((sum[i][j] + sum[j][i]) / 2 / all - mean[i][j]);
-            }
-        }
+        take(TURN, all, gain);
+        take(GROW, all, gain);
     }
 
-    /** What shows of a parameter that none of the others can explain, as a share of what shows of it: 0 to 1. */
-    double own(int parameter) {
-        if (!known) {
-            return 0;
-        }
+    /** Takes over from the picture what shows of a parameter, and what of that no other can explain. */
+    private void take(int parameter, double all, double gain) {
         for (int i = 0; i < N; i++) {
-            System.arraycopy(mean[i], 0, left[i], 0, N);
+            for (int j = 0; j < N; j++) {
+                left[i][j] = (sum[i][j] + sum[j][i]) / 2 / all;
+            }
             left[i][i] = Math.max(0, left[i][i]) + NOISE;
         }
-        double shows = left[parameter][parameter];
+        double shown = left[parameter][parameter];
         for (int i = 0; i < N; i++) {
             if (i != parameter && left[i][i] > 0) {
                 explain(i);
             }
         }
-        return Math.max(0, Math.min(1, (left[parameter][parameter] - NOISE) / shows));
+        double ownShown = Math.max(0, Math.min(shown, left[parameter][parameter] - NOISE));
+        shows[parameter] += gain * (shown - shows[parameter]);
+        own[parameter] += gain * (ownShown - own[parameter]);
+    }
+
+    /** What shows of a parameter that none of the others can explain, as a share of what shows of it: 0 to 1. */
+    double own(int parameter) {
+        return known ? own[parameter] / shows[parameter] : 0;
     }
 
     /** Takes away from all others what a parameter explains of them: a step of Gauss's elimination. */

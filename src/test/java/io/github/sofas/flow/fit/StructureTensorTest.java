@@ -36,6 +36,16 @@ public class StructureTensorTest {
     }
 
     @Test
+    public void turningOfARingAboutCentresThatDifferIsAShiftEachTime() {
+        // one a quarter of a radius to the right, one as much to the left: either turning is a shift up or down, and
+        // that of the mean of both pictures is none
+        arc(0, 360, 0.25, 0);
+        arc(0, 360, -0.25, 0);
+
+        assertTrue(tensor.own(StructureTensor.TURN) < 0.2);
+    }
+
+    @Test
     public void straightEdgeShowsTurningAndNoGrowth() {
         tensor.begin();
         for (int k = 0; k < PLACES; k++) {
