@@ -206,8 +206,6 @@ public class SparkBatchTest {
         Submitted.Result batch = batch("--events", events.toString());
         assertEquals(batch.errLines().toString(), 0, batch.exitCode());
         try (SparkSession spark = SparkSession.builder().master("local[1]").config("spark.ui.enabled", false)
-                // Spark's own number is 200 for each question, whatever the data
-                .config("spark.sql.shuffle.partitions", 2)
                 .config("spark.driver.bindAddress", "127.0.0.1").config("spark.driver.host", "127.0.0.1")
                 .getOrCreate()) {
             Dataset<Row> all = spark.read().parquet(events.toString());
