@@ -8,9 +8,9 @@ import java.util.Arrays;
  * itself, and an arc that slides along itself looks as if it turned about its middle: without the tensor, a disc found
  * in two arcs stayed two that turn. Only what shows of a parameter beyond the others is known of it.
  *
- * <p>A mean over the measurements of late, because one sample of events is a rough picture: of what shows in each, not
- * of the pictures. Turning about a centre beside a disc's is a shift; centres of late that lie on all sides of it need
- * shifts to all sides, of which the mean is none, and the disc would turn.
+ * <p>A mean over the measurements of late, because one sample of events is a rough picture. The mean is of what shows
+ * in each picture, not of the pictures: turning about a centre beside that of a disc is a shift, in another direction
+ * for each such centre, and a mean of pictures hides that. The disc would seem to turn.
  */
 final class StructureTensor {
     /** Number of the turning among the four parameters, and of the growth. */
@@ -20,7 +20,7 @@ final class StructureTensor {
     /** Share of the changes that may be noise, so that parameters of which nothing shows take nothing away. */
     private static final double NOISE = 0.005;
     /** Part of a new picture that is taken over. */
-    private static final double GAIN = 0.6;
+    private static final double GAIN = 0.5;
 
     private final double[][] sum = new double[N][N];
     /** What shows of each parameter as a share of all that shows, and what of that is its own: means of late. */
