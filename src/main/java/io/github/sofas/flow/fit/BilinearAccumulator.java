@@ -68,6 +68,7 @@ final class BilinearAccumulator {
     private final int height;
     private final int[] f;
     private final DenseVotes dense = new DenseVotes();
+    private final TimedVotes timed;
     /** For votes of every other event. */
     private final int[] others;
     // box of the events
@@ -100,15 +101,17 @@ final class BilinearAccumulator {
         height = side(sensorHeight, cellPx);
         f = new int[width * height];
         others = new int[width * height];
+        timed = new TimedVotes(width * height);
     }
 
     private static int side(int sensorSide, double cellPx) {
         return (int) (sensorSide / cellPx) + 3 + 2 * MOST_BORDER;
     }
 
-    /** Cells of the grid. */
-    static long cells(int sensorWidth, int sensorHeight, double cellPx) {
-        return (long) side(sensorWidth, cellPx) * side(sensorHeight, cellPx);
+    /** Bytes of the grids. */
+    static long bytes(int sensorWidth, int sensorHeight, double cellPx) {
+        long cells = (long) side(sensorWidth, cellPx) * side(sensorHeight, cellPx);
+        return 2L * Integer.BYTES * cells + DenseVotes.BYTES + TimedVotes.bytes(cells);
     }
 
     /** The most events that fit. */
@@ -205,6 +208,32 @@ final class BilinearAccumulator {
         boolean isDense = columns * rows <= Math.min(DenseVotes.MOST_CELLS, DENSE_CELLS * size);
         long met = isDense ? dense.vote(at, size, columns, rows) : vote();
         return met * (2.0 / (SUB * SUB * SUB * SUB));
+    }
+
+    /**
+     * Slopes of the metric of the events where they are; of few events the mean over two grids.
+     *
+     * @param time of each event from the reference in s
+     * @param centreX centre of turning and growth in px, and centreY
+     */
+    void slopes(ShiftProfile time, double centreX, double centreY, MetricSlopes to) {
+        layWith(2, 2);
+        to.clear();
+        addSlopes(time, centreX, centreY, 0, to);
+        if (size <= mostOnBoth) {
+            addSlopes(time, centreX, centreY, SUB / 2, to);
+            to.multiply(0.5);
+        }
+    }
+
+    /** The same of a grid shifted by some parts of a cell. */
+    private void addSlopes(ShiftProfile time, double centreX, double centreY, int offset, MetricSlopes to) {
+        shift(placeX, time.shift, 0, offset - originX, at);
+        shift(placeY, time.shift, 0, offset - originY, atY);
+        votes += size;
+        locate();
+        timed.addSlopes(at, size, time, columns, rows, (originX - offset) / scale - centreX,
+            (originY - offset) / scale - centreY, SUB / scale, to);
     }
 
     /** Apart from voting, because the compiler makes it work on several events at once. */

@@ -51,8 +51,7 @@ final class Metric {
 
     /** Bytes of the arrays for up to a number of events. */
     static long bytes(int sensorWidth, int sensorHeight, double cellPx, int capacity) {
-        return 2L * Integer.BYTES * BilinearAccumulator.cells(sensorWidth, sensorHeight, cellPx)
-            + DenseVotes.BYTES + (long) capacity * EVENT_BYTES;
+        return BilinearAccumulator.bytes(sensorWidth, sensorHeight, cellPx) + (long) capacity * EVENT_BYTES;
     }
 
     int capacity() {
@@ -101,6 +100,16 @@ final class Metric {
     /** Of the events moved back by velocity (vx, vy) in px/s. */
     double atVelocity(double vx, double vy) {
         return grid.metric(time, vx, time, vy);
+    }
+
+    /** How it changes with each parameter of the motion; of no events not at all. */
+    void slopes(MetricSlopes to) {
+        if (size() == 0) {
+            to.clear();
+            return;
+        }
+        lay();
+        grid.slopes(time, grid.x(0) - fromX[0], grid.y(0) - fromY[0], to);
     }
 
     /** At accelerations of h px/s² less and more along (dirX, dirY). */

@@ -3,7 +3,9 @@ package io.github.sofas.flow.fit;
 /**
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a velocity, a quadratic through the nine values, and one step to its top; after that each change
- * of the motion by itself, from two projections beside it.
+ * of the motion by itself, from two projections beside it. Once the motion is about known, one picture of the events
+ * tells the slopes by all of its parameters ({@link TimedVotes}): more exactly than projections beside it do, and for
+ * less, but only as far as a cell beside differs.
  */
 public final class MetricFit {
     /** Side of the cells that votes are given to: cells as large as pixels favour whole pixels of travel. */
@@ -19,6 +21,12 @@ public final class MetricFit {
     private static final double MAX_STEP_PX = 4;
     /** Standard deviations of the metric that neighbours must lose for a direction to take a step. */
     public static final double FLAT_SIGMAS = 2;
+
+    /**
+     * Distance of neighbouring projections over half the window, in px, above which the metric is asked at them: along
+     * an edge a cell beside differs by what happens to lie there.
+     */
+    private static final double BROAD_PX = 1.4;
 
     /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
     private static final double CHANGE_SIGMAS = 0.5;
@@ -37,6 +45,13 @@ public final class MetricFit {
     private boolean known;
     private final VelocityTop velocity = new VelocityTop();
     private final Parabola change = new Parabola();
+    private final MetricSlopes slopes = new MetricSlopes();
+    /** Whether the velocity was fitted by the slopes last, so that changes are, too. */
+    private boolean bySlopes;
+    // of the axis that was looked along last, in units of the frame; and the greatest metric on the way
+    private double gradient;
+    private double curvature;
+    private double greatest;
 
     /** Makes a fit for up to a number of events, of which so many vote on two grids. */
     public MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
@@ -66,6 +81,7 @@ public final class MetricFit {
     /** Forgets all events. */
     public void clear() {
         metric.clear();
+        known = false;
     }
 
     /**
@@ -157,7 +173,8 @@ public final class MetricFit {
      * @return the top, until the next fit of a velocity
      */
     public VelocityTop fit(double vx0, double vy0, double sigmas) {
-        double greatest = Math.max(0, metric(vx0, vy0));
+        bySlopes = false;
+        greatest = Math.max(0, metric(vx0, vy0));
         for (int k = 0; k < m.length; k++) {
             m[k] = k == CENTRE ? here : beside(vx0, vy0, k % 3 - 1, k / 3 - 1);
             greatest = Math.max(greatest, m[k]);
@@ -175,14 +192,60 @@ public final class MetricFit {
      * axes of what is known, the corners tell how it has turned, and little else.
      */
     public VelocityTop fitCross(double vx0, double vy0, double sigmas) {
+        bySlopes = false;
         metric(vx0, vy0);
         double less1 = beside(vx0, vy0, -1, 0);
         double more1 = beside(vx0, vy0, 1, 0);
         double less2 = beside(vx0, vy0, 0, -1);
         double more2 = beside(vx0, vy0, 0, 1);
-        double greatest = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
+        greatest = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
         return velocity.of(frame, greatest, (more1 - less1) / 2, (more2 - less2) / 2, less1 + more1 - 2 * here,
             less2 + more2 - 2 * here, 0, sigmas);
+    }
+
+    /**
+     * Whether neighbouring projections lie so far apart that their corners must tell how the frame is to be turned.
+     *
+     * @param px velocity in px/s that shifts both ends of the window by one pixel
+     */
+    public boolean isBroad(double px) {
+        return Math.max(frame.h1(), frame.h2()) > BROAD_PX * px;
+    }
+
+    /**
+     * Fits the velocity around the motion itself by the slopes of the metric, and along an axis on which it is broad by
+     * the two neighbours; the frame is then taken to lie along the axes of what is known.
+     *
+     * @param px velocity in px/s that shifts both ends of the window by one pixel
+     * @param sigmas as for {@link #fit}
+     * @return the top, until the next fit of a velocity
+     */
+    public VelocityTop fitSlopes(double px, double sigmas) {
+        metric.slopes(slopes);
+        bySlopes = true;
+        greatest = Math.max(0, slopes.metric);
+        look(1, 0, px);
+        double ga = gradient;
+        double haa = curvature;
+        look(0, 1, px);
+        double hab = isBroad(px) ? 0 : -2 * slopes.loss(frame.vx(0, 1, 0), frame.vy(0, 1, 0), frame.vx(0, 0, 1),
+            frame.vy(0, 0, 1));
+        return velocity.of(frame, greatest, ga, gradient, haa, curvature, hab, sigmas);
+    }
+
+    /** Looks how the metric changes along an axis of the frame: by the slopes, or if it is broad by the neighbours. */
+    private void look(int a, int b, double px) {
+        double x = frame.vx(0, a, b);
+        double y = frame.vy(0, a, b);
+        gradient = slopes.vx * x + slopes.vy * y;
+        curvature = -2 * slopes.loss(x, y, x, y);
+        if (x * x + y * y > BROAD_PX * BROAD_PX * px * px) {
+            double less = beside(0, 0, -a, -b);
+            double more = beside(0, 0, a, b);
+            gradient = (more - less) / 2;
+            curvature = less + more - 2 * slopes.metric;
+            greatest = Math.max(greatest, Math.max(less, more));
+        }
     }
 
     /** Metric of a projection so many distances along the axes of the frame from a velocity. */
@@ -192,26 +255,43 @@ public final class MetricFit {
 
     /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
     Parabola fitAcceleration(double dirX, double dirY, double h) {
+        if (bySlopes) {
+            return changeAlong(slopes.ax * dirX + slopes.ay * dirY,
+                slopes.loss(dirX, dirY, dirX, dirY) * slopes.changeShare, h);
+        }
         metric.alongAcceleration(dirX, dirY, h, lessAndMore);
         return changeThrough(h);
     }
 
     /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
     Parabola fitRotation(double h) {
+        if (bySlopes) {
+            return changeAlong(slopes.turn, slopes.lossTurn, h);
+        }
         metric.alongRotation(h, lessAndMore);
         return changeThrough(h);
     }
 
     /** Fits the change of the rotation with neighbours h rad/s² apart; after a velocity fit around (0, 0). */
     Parabola fitSpin(double h) {
+        if (bySlopes) {
+            return changeAlong(slopes.spin, slopes.lossTurn * slopes.changeShare, h);
+        }
         metric.alongSpin(h, lessAndMore);
         return changeThrough(h);
     }
 
     /** Fits the growth with neighbours h per s apart; after a velocity fit around (0, 0). */
     Parabola fitGrowth(double h) {
+        if (bySlopes) {
+            return changeAlong(slopes.grow, slopes.lossGrow, h);
+        }
         metric.alongGrowth(h, lessAndMore);
         return changeThrough(h);
+    }
+
+    private Parabola changeAlong(double rise, double loss, double h) {
+        return change.along(rise, loss, h, Parabola.floor(slopes.metric, CHANGE_SIGMAS));
     }
 
     /** Adds up how the picture of the events changes; the structure has so many px of radius. */

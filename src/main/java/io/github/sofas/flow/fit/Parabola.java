@@ -1,6 +1,9 @@
 package io.github.sofas.flow.fit;
 
-/** The metric along one parameter of the motion, as a parabola through three values shows it; fit by fit anew. */
+/**
+ * The metric along one parameter of the motion, as a parabola through three values shows it, or one of the same slope
+ * and loss; fit by fit anew.
+ */
 final class Parabola {
     private double step;
     private double loss;
@@ -17,6 +20,20 @@ final class Parabola {
         slope = (more - less) / 2;
         step = stepTo(curvature, slope, floor) * h;
         loss = -Math.min(curvature, 0) / 2 / (h * h);
+        return this;
+    }
+
+    /**
+     * Lays it along what the metric changes by here.
+     *
+     * @param rise of the metric per unit of the parameter, and what it loses per unit squared
+     * @param h distance that a step is taken in, in the unit of the parameter
+     * @param floor curvature, of neighbours at a distance of h, that a top must pass
+     */
+    Parabola along(double rise, double lossHere, double h, double floor) {
+        slope = rise * h;
+        step = stepTo(-2 * lossHere * h * h, slope, floor) * h;
+        loss = Math.max(0, lossHere);
         return this;
     }
 

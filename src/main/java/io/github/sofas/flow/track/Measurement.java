@@ -20,6 +20,13 @@ final class Measurement {
     /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
     private static final int LEAST_FULL = 3;
     private static final int FULL_EVERY = 4;
+    /**
+     * Lifetimes, of the first one, from which on a motion has been steady for so long that slopes tell all. What turns
+     * back is followed better by projections: a head in 20 of 21 runs, in 15 to 18 with slopes from the start.
+     */
+    private static final double STEADY_LIFETIMES = 1.5;
+    /** Correction over half the window after which the top may lie beyond what slopes tell. */
+    private static final double RESTLESS_PX = 0.5;
     /** Measurements after which a motion is judged: before, it is that of the search. */
     private static final int LEAST_JUDGED = 2;
     /**
@@ -83,6 +90,8 @@ final class Measurement {
     /** Metric per event of all live events. */
     private double density;
     private double widen;
+    /** Whether the last measurement moved the motion far. */
+    private boolean restless;
     private double lifetimePx;
     /** Travel for which the live events have not been sharp, in px. */
     private double blurredPx;
@@ -102,6 +111,7 @@ final class Measurement {
         blurredPx = 0;
         measuredUs = 0;
         widen = 1;
+        restless = false;
         lifetimePx = p.lifetimePx();
     }
 
@@ -193,6 +203,13 @@ final class Measurement {
         prediction.judge(along, atRest, motion.speed(radius), nowUs - live.oldestUs(), nowUs);
     }
 
+    private VelocityTop fitVelocity(boolean isSteady, double px, MetricFit fit) {
+        if (count < LEAST_FULL || count % FULL_EVERY == 0 && (!isSteady || fit.isBroad(px))) {
+            return fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
+        }
+        return isSteady ? fit.fitSlopes(px, MetricFit.FLAT_SIGMAS) : fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
+    }
+
     /** Notes how far the structure has travelled without being sharp. */
     private void followSharpness(double half, long lifetimeUs, long nowUs) {
         boolean sharp = loss.best() >= LEAST_SHARPNESS * loss.metric * half * half;
@@ -258,13 +275,14 @@ final class Measurement {
             fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.neighbourLoss(loss.metric), px);
             fit.widen(widen);
         }
-        VelocityTop top = count < LEAST_FULL || count % FULL_EVERY == 0 ? fit.fit(0, 0, MetricFit.FLAT_SIGMAS)
-            : fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
+        boolean isSteady = lifetimePx > STEADY_LIFETIMES * p.lifetimePx() && !restless;
+        VelocityTop top = fitVelocity(isSteady, px, fit);
         // in a thinned sample events meet by so much less
         density = top.metric() / fit.size() * live.size() / fit.size();
         loss.take(top);
         widen = top.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(motion, top, px, crossing) / px;
+        restless = moved > RESTLESS_PX;
         boolean moves = top.slopeSigmas() > CLEAR_SIGMAS;
         if (crossing > MAX_SHARED) {
             change.hold(motion);

@@ -220,7 +220,8 @@ final class Parting {
         ownVy = 0;
         fit.frame(px);
         for (int i = 0; i < FITS; i++) {
-            VelocityTop top = fit.fit(ownVx, ownVy, MetricFit.FLAT_SIGMAS);
+            VelocityTop top = i == 0 ? fit.fitSlopes(px, MetricFit.FLAT_SIGMAS)
+                : fit.fit(ownVx, ownVy, MetricFit.FLAT_SIGMAS);
             ownVx += top.stepX();
             ownVy += top.stepY();
             metric = top.metric();

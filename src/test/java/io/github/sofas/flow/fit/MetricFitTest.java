@@ -258,6 +258,67 @@ public class MetricFitTest {
         }
     }
 
+    /** Fits the velocity of 60 points by slopes, each seen 40 times in two seconds at a velocity. */
+    private static VelocityTop slopesOfPoints(double vx, double vy) {
+        Random random = new Random(3);
+        MetricFit fit = new MetricFit(64, 48, MetricFit.CELL_PX, 4096, 1900);
+        for (int point = 0; point < 60; point++) {
+            double x = 8 + 48 * random.nextDouble();
+            double y = 8 + 32 * random.nextDouble();
+            for (int i = 0; i < 40; i++) {
+                double tau = 2 * random.nextDouble() - 1;
+                fit.add((float) (x + vx * tau), (float) (y + vy * tau), (float) tau, 0, 0, 1);
+            }
+        }
+        fit.frame(0.7);
+        return fit.fitSlopes(1, MetricFit.FLAT_SIGMAS);
+    }
+
+    @Test
+    public void slopesLeadTowardsTheTop() {
+        // points are as sharp as structures can be: a step goes about half of the way, of what is
+        // blurred all of it
+        VelocityTop top = slopesOfPoints(0.2, -0.1);
+        assertEquals(0.14, top.stepX(), 0.06);
+        assertEquals(-0.07, top.stepY(), 0.03);
+        top = slopesOfPoints(0, 0);
+        assertEquals(0, top.stepX(), 0.01);
+        assertEquals(0, top.stepY(), 0.01);
+    }
+
+    @Test
+    public void edgeIsAskedAlongItselfAtNeighboursFarApart() {
+        // an upright edge of 30 px, seen along each row again and again: by one look all slopes, by two the neighbours
+        MetricFit fit = new MetricFit(64, 48, MetricFit.CELL_PX, 4096, 0);
+        Random random = new Random(3);
+        for (int i = 0; i < 2000; i++) {
+            fit.add(32 + random.nextFloat(), 8 + 30 * random.nextFloat(), 2 * random.nextFloat() - 1, 0, 0, 1);
+        }
+        fit.frame(1, 0.1, 0, 0, MetricFit.NEIGHBOUR_LOSS, 1);
+        assertTrue(fit.isBroad(1));
+        long before = fit.votes();
+        VelocityTop top = fit.fitSlopes(1, MetricFit.FLAT_SIGMAS);
+        assertEquals(3 * fit.size(), fit.votes() - before);
+        assertEquals("axis", 1, Math.abs(top.axisX()), 1e-3);
+        assertTrue(top.lossYy() < 0.05 * top.lossXx());
+    }
+
+    @Test
+    public void eventsFarOffTheSensorTellNothing() {
+        // as far as the cells beside the sensor go, and farther
+        MetricFit fit = new MetricFit(32, 24, MetricFit.CELL_PX, 4096, 1900);
+        for (int x = -80; x < 110; x++) {
+            for (int y = -60; y < 90; y += 10) {
+                fit.add(x + 0.6f, y + 0.6f, x / 100f, x - 16, y - 12, 1);
+            }
+        }
+        fit.frame(1);
+        VelocityTop top = fit.fitSlopes(1, MetricFit.FLAT_SIGMAS);
+        assertTrue(Double.isFinite(top.stepX()));
+        assertTrue(Double.isFinite(top.lossXx()));
+        assertTrue(Double.isFinite(fit.fitGrowth(0.1).step()));
+    }
+
     private static void assertNothingIsKnown(MetricFit fit, VelocityTop top) {
         assertEquals(0, top.metric(), 0);
         assertEquals(0, top.stepX(), 0);
@@ -335,6 +396,24 @@ public class MetricFitTest {
         MetricFit spins = changing(0, 0.08, 0);
         assertEquals(0.08, spins.fitSpin(0.16).step(), 0.02);
         assertEquals(0, spins.fitRotation(0.08).step(), 0.01);
+    }
+
+    @Test
+    public void eachChangeIsSteppedToBySlopes() {
+        // 0.02 per s shift the ends of the window by 0.4 px at 20 px; a step goes about half of the way or more
+        MetricFit turns = changing(0.02, 0, 0);
+        turns.fitSlopes(1, MetricFit.FLAT_SIGMAS);
+        assertEquals(0.014, turns.fitRotation(0.08).step(), 0.006);
+        assertEquals(0, turns.fitGrowth(0.08).step(), 0.002);
+        MetricFit grows = changing(0, 0, -0.02);
+        grows.fitSlopes(1, MetricFit.FLAT_SIGMAS);
+        assertEquals(-0.014, grows.fitGrowth(0.08).step(), 0.006);
+        assertEquals(0, grows.fitRotation(0.08).step(), 0.002);
+        // half of 0.04 per s², from a second before to a second after
+        MetricFit spins = changing(0, 0.04, 0);
+        spins.fitSlopes(1, MetricFit.FLAT_SIGMAS);
+        assertEquals(0.028, spins.fitSpin(0.16).step(), 0.012);
+        assertEquals(0, spins.fitRotation(0.08).step(), 0.002);
     }
 
     @Test

@@ -359,4 +359,19 @@ public class MeasurementTest {
         }
         assertEquals(List.of(9L, 9L, 9L, 5L, 9L, 5L, 5L, 5L, 9L), metrics);
     }
+
+    @Test
+    public void steadyMotionIsMeasuredBySlopes() {
+        start(100);
+        List<Long> looks = new ArrayList<>();
+        for (int i = 0; i < 60; i++) {
+            edge(100);
+            long before = fit.votes();
+            measure();
+            looks.add((fit.votes() - before) / (2L * fit.size()));
+        }
+        // one for the slopes, and along the edge two more; nine and more before its lifetime has grown by half
+        assertTrue(looks.toString(), looks.subList(0, 4).stream().allMatch(n -> n >= 9));
+        assertTrue(looks.toString(), looks.subList(40, 60).contains(3L));
+    }
 }

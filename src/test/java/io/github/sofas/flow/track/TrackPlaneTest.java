@@ -282,18 +282,18 @@ public class TrackPlaneTest {
         assertTrue(plane.remembered(column, 71, nowUs) > 0);
     }
 
-    /** Changes its speed for 25 px, from 100 px/s, then goes on at the one it has, with two rows only. */
+    /** Changes its speed for 22 px, from 100 px/s, then goes on at the one it has, with two rows only. */
     private void changeSpeedAndThin(double accelerationPxPerS2) {
         start(20);
         goOn(10);
         double speed = 100;
         for (int c = 0; c < 55; c++) {
-            for (int y = 0; y < ROWS; y += c < 25 ? 1 : 20) {
+            for (int y = 0; y < ROWS; y += c < 22 ? 1 : 20) {
                 take(column, 30 + y, nowUs, 1, Claim.OWN);
             }
             column++;
             long stepUs = Math.round(1e6 / speed);
-            speed += c < 25 ? accelerationPxPerS2 * stepUs * 1e-6 : 0;
+            speed += c < 22 ? accelerationPxPerS2 * stepUs * 1e-6 : 0;
             nowUs += stepUs;
             plane.update(nowUs);
         }
@@ -301,8 +301,8 @@ public class TrackPlaneTest {
 
     @Test
     public void tellsNothingOnceItGetsFewEventsAtAVelocityThatWasNotMeasured() {
-        // 100 to 39 px/s: what changes by as much is waited for at other speeds
-        changeSpeedAndThin(-170);
+        // 100 to 46 px/s: what changes by as much is waited for at other speeds
+        changeSpeedAndThin(-180);
         assertEquals(State.WAITED_FOR, plane.update(nowUs));
         assertFalse(plane.isPredictive());
     }
