@@ -201,10 +201,7 @@ final class BilinearAccumulator {
 
     /** The metric on a grid shifted by some parts of a cell. */
     private double metric(int[] alongX, int partsX, int[] alongY, int partsY, int offset) {
-        shift(placeX, alongX, partsX, offset - originX, at);
-        shift(placeY, alongY, partsY, offset - originY, atY);
-        votes += size;
-        locate();
+        locate(alongX, partsX, alongY, partsY, offset);
         boolean isDense = columns * rows <= Math.min(DenseVotes.MOST_CELLS, DENSE_CELLS * size);
         long met = isDense ? dense.vote(at, size, columns, rows) : vote();
         return met * (2.0 / (SUB * SUB * SUB * SUB));
@@ -228,12 +225,17 @@ final class BilinearAccumulator {
 
     /** The same of a grid shifted by some parts of a cell. */
     private void addSlopes(ShiftProfile time, double centreX, double centreY, int offset, MetricSlopes to) {
-        shift(placeX, time.shift, 0, offset - originX, at);
-        shift(placeY, time.shift, 0, offset - originY, atY);
-        votes += size;
-        locate();
+        locate(time.shift, 0, time.shift, 0, offset);
         timed.addSlopes(at, size, time, columns, rows, (originX - offset) / scale - centreX,
             (originY - offset) / scale - centreY, SUB / scale, to);
+    }
+
+    /** Finds the cells of the events where they are shifted to. */
+    private void locate(int[] alongX, int partsX, int[] alongY, int partsY, int offset) {
+        shift(placeX, alongX, partsX, offset - originX, at);
+        shift(placeY, alongY, partsY, offset - originY, atY);
+        votes += size;
+        locate();
     }
 
     /** Apart from voting, because the compiler makes it work on several events at once. */

@@ -23,7 +23,7 @@ final class DenseVotes {
     private static final long[] ABOVE = new long[KEYS];
     private static final long[] BELOW = new long[KEYS];
     /** Sum of the squares of the four votes. */
-    private static final int[] SQUARES = new int[KEYS];
+    static final int[] SQUARES = new int[KEYS];
 
     static {
         for (int k = 0; k < KEYS; k++) {

@@ -81,7 +81,6 @@ public final class MetricFit {
     /** Forgets all events. */
     public void clear() {
         metric.clear();
-        known = false;
     }
 
     /**
@@ -194,13 +193,21 @@ public final class MetricFit {
     public VelocityTop fitCross(double vx0, double vy0, double sigmas) {
         bySlopes = false;
         metric(vx0, vy0);
-        double less1 = beside(vx0, vy0, -1, 0);
-        double more1 = beside(vx0, vy0, 1, 0);
-        double less2 = beside(vx0, vy0, 0, -1);
-        double more2 = beside(vx0, vy0, 0, 1);
-        greatest = Math.max(0, Math.max(here, Math.max(Math.max(less1, more1), Math.max(less2, more2))));
-        return velocity.of(frame, greatest, (more1 - less1) / 2, (more2 - less2) / 2, less1 + more1 - 2 * here,
-            less2 + more2 - 2 * here, 0, sigmas);
+        greatest = Math.max(0, here);
+        ask(vx0, vy0, 1, 0, here);
+        double ga = gradient;
+        double haa = curvature;
+        ask(vx0, vy0, 0, 1, here);
+        return velocity.of(frame, greatest, ga, gradient, haa, curvature, 0, sigmas);
+    }
+
+    /** Asks the neighbours of a velocity along an axis of the frame how the metric changes from the middle. */
+    private void ask(double vx0, double vy0, int a, int b, double middle) {
+        double less = beside(vx0, vy0, -a, -b);
+        double more = beside(vx0, vy0, a, b);
+        gradient = (more - less) / 2;
+        curvature = less + more - 2 * middle;
+        greatest = Math.max(greatest, Math.max(less, more));
     }
 
     /**
@@ -240,11 +247,7 @@ public final class MetricFit {
         gradient = slopes.vx * x + slopes.vy * y;
         curvature = -2 * slopes.loss(x, y, x, y);
         if (x * x + y * y > BROAD_PX * BROAD_PX * px * px) {
-            double less = beside(0, 0, -a, -b);
-            double more = beside(0, 0, a, b);
-            gradient = (more - less) / 2;
-            curvature = less + more - 2 * slopes.metric;
-            greatest = Math.max(greatest, Math.max(less, more));
+            ask(0, 0, a, b, slopes.metric);
         }
     }
 

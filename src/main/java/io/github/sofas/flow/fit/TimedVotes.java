@@ -47,7 +47,8 @@ final class TimedVotes {
     /**
      * Adds what the events tell of each parameter.
      *
-     * @param at cell, sign and place in the cell of each event; those on the outermost cells tell nothing
+     * @param at cell, sign and place in the cell of each event, of which there are some; those on the outermost cells
+     *     tell nothing
      * @param time of each event from the reference in s
      * @param columns of the grid, and rows
      * @param x0 column of the first cell from the structure's centre, in px, and y0 its row
@@ -92,13 +93,13 @@ final class TimedVotes {
             blocks[c + 1 >> BLOCK_BITS] = 1;
             blocks[below >> BLOCK_BITS] = 1;
             blocks[below + 1 >> BLOCK_BITS] = 1;
-            ofVotes += w00 * w00 + w10 * w10 + w01 * w01 + w11 * w11;
+            ofVotes += DenseVotes.SQUARES[k];
             ofTimes += tt;
             ofFourths += tt * tt;
         }
         own = ofVotes;
-        square = (double) ofTimes / Math.max(1, size);
-        fourth = (double) ofFourths / Math.max(1, size);
+        square = (double) ofTimes / size;
+        fourth = (double) ofFourths / size;
     }
 
     private void look(int columns, int rows, double x0, double y0, double cellPx, double unit, MetricSlopes to) {

@@ -203,6 +203,7 @@ final class Measurement {
         prediction.judge(along, atRest, motion.speed(radius), nowUs - live.oldestUs(), nowUs);
     }
 
+    /** Fits the velocity: by all nine projections, by the slopes of what is steady, or by the five nearest. */
     private VelocityTop fitVelocity(boolean isSteady, double px, MetricFit fit) {
         if (count < LEAST_FULL || count % FULL_EVERY == 0 && (!isSteady || fit.isBroad(px))) {
             return fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
