@@ -206,6 +206,8 @@ public class SparkBatchTest {
         Submitted.Result batch = batch("--events", events.toString());
         assertEquals(batch.errLines().toString(), 0, batch.exitCode());
         try (SparkSession spark = SparkSession.builder().master("local[1]").config("spark.ui.enabled", false)
+                // not 200, each a task
+                .config("spark.sql.shuffle.partitions", 1)
                 .config("spark.driver.bindAddress", "127.0.0.1").config("spark.driver.host", "127.0.0.1")
                 .getOrCreate()) {
             Dataset<Row> all = spark.read().parquet(events.toString());

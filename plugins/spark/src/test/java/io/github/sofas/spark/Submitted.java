@@ -26,6 +26,9 @@ final class Submitted {
     private static final Pattern MEASURED =
         Pattern.compile("\"(wall|decode|engine|output|events_per_second|peak_heap_bytes)\" : [\\d.]+");
 
+    /** Runs for seconds: compiling more than once takes longer than it saves. */
+    private static final List<String> BRIEF_JAVA = List.of(java(), "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+
     private final Process process;
     private final Path err;
 
@@ -40,8 +43,8 @@ final class Submitted {
 
     /** Starts a batch with settings for Spark such as {@code spark.ui.enabled=false}. */
     static Submitted start(Path folder, List<String> settings, String... arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of(java(), "-XX:+UseSerialGC",
-            "-Dlog4j2.configurationFile=classpath:io/github/sofas/spark/log4j2.properties",
+        List<String> command = new ArrayList<>(BRIEF_JAVA);
+        command.addAll(List.of("-Dlog4j2.configurationFile=classpath:io/github/sofas/spark/log4j2.properties",
             "-Dspark.ui.enabled=false"));
         settings.forEach(setting -> command.add("-D" + setting));
         command.addAll(List.of("-cp", sparkClassPath(), SparkBatch.class.getName()));
@@ -58,8 +61,9 @@ final class Submitted {
 
     /** Runs the command {@code run}, without Spark. */
     static Result run(Path folder, String... arguments) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of(java(), "-XX:+UseSerialGC", "-cp",
-            System.getProperty("sofas.program.classPath"), "io.github.sofas.cli.Main", "run"));
+        List<String> command = new ArrayList<>(BRIEF_JAVA);
+        command.addAll(List.of("-cp", System.getProperty("sofas.program.classPath"),
+            "io.github.sofas.cli.Main", "run"));
         command.addAll(List.of(arguments));
         return start(folder, command, Map.of()).await();
     }
