@@ -25,6 +25,10 @@ public record SofasParameters(
     @Parameter.Group("track planes") Track track,
     @Parameter.Group("paper preset only") Published published) {
 
+    /** Made once: making one takes reflection, and a command asks for them as often as it has parameters. */
+    private static final Map<Preset, SofasParameters> PRESETS = Map.of(
+        Preset.PAPER, ParameterHandle.preset(Preset.PAPER), Preset.DEFAULT, ParameterHandle.preset(Preset.DEFAULT));
+
     /** Which method. */
     public enum Preset {
         /** As published: nearest cells, signed votes, hits. */
@@ -140,7 +144,7 @@ public record SofasParameters(
      * @param preset the preset
      */
     public static SofasParameters of(Preset preset) {
-        return ParameterHandle.preset(preset);
+        return PRESETS.get(preset);
     }
 
     /**
