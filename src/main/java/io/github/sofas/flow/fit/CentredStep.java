@@ -78,8 +78,8 @@ public final class CentredStep {
         double axisY = top.axisY();
         double perPx = 2 / (half * half);
         double h = perPx * CHANGE_PX;
-        double along = motion.ax * axisX + motion.ay * axisY + fit.fitAcceleration(axisX, axisY, h).step();
-        double across = motion.ay * axisX - motion.ax * axisY + fit.fitAcceleration(-axisY, axisX, h).step();
+        double along = motion.ax * axisX + motion.ay * axisY + fit.changes().acceleration(axisX, axisY, h).step();
+        double across = motion.ay * axisX - motion.ax * axisY + fit.changes().acceleration(-axisY, axisX, h).step();
         double a = along * shown(Math.abs(along) / perPx, BEND_PX);
         double b = across * shown(Math.abs(across) / perPx, BEND_PX) * shown(flatness, FLAT_CHANGE);
         motion.ax = a * axisX - b * axisY;
@@ -92,11 +92,11 @@ public final class CentredStep {
         double turn = 0;
         double grow = 0;
         if (p.rotation()) {
-            Parabola rotation = fit.fitRotation(h);
+            Parabola rotation = fit.changes().rotation(h);
             turn = rotation.step() * followed(rotation.loss(), stiffness);
         }
         if (p.growth()) {
-            Parabola growth = fit.fitGrowth(h);
+            Parabola growth = fit.changes().growth(h);
             grow = growth.step() * followed(growth.loss(), stiffness);
         }
         double known = Math.sqrt(motion.omega * motion.omega + motion.growth * motion.growth) / perPx;
@@ -105,7 +105,7 @@ public final class CentredStep {
         motion.omega += sure * turn;
         motion.growth += sure * grow;
         if (p.rotation() && p.acceleration()) {
-            Parabola spin = fit.fitSpin(2 * perPx / half * CHANGE_PX);
+            Parabola spin = fit.changes().spin(2 * perPx / half * CHANGE_PX);
             motion.alpha += sure * spin.step() * followed(spin.loss(), stiffness * half * half / 4);
         }
     }

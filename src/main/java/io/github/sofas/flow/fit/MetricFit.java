@@ -3,9 +3,9 @@ package io.github.sofas.flow.fit;
 /**
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a velocity, a quadratic through the nine values, and one step to its top; after that each change
- * of the motion by itself, from two projections beside it. Once the motion is about known, one picture of the events
- * tells the slopes by all of its parameters ({@link TimedVotes}): more exactly than projections beside it do, and for
- * less, but only as far as a cell beside differs.
+ * of the motion by itself ({@link ChangeFit}). Once the motion is about known, one picture of the events tells the
+ * slopes by all of its parameters ({@link TimedVotes}): more exactly than projections beside it do, and for less, but
+ * only as far as a cell beside differs.
  */
 public final class MetricFit {
     /** Side of the cells that votes are given to: cells as large as pixels favour whole pixels of travel. */
@@ -28,24 +28,21 @@ public final class MetricFit {
      */
     private static final double BROAD_PX = 1.4;
 
-    /** Standard deviations of the metric that a change of motion must be curved by to take a step to its top. */
-    private static final double CHANGE_SIGMAS = 0.5;
-
     /** The middle one of the nine projections. */
     private static final int CENTRE = 4;
 
     private final Metric metric;
     private final ProjectionFrame frame = new ProjectionFrame();
     private final double[] m = new double[9];
-    private final double[] lessAndMore = new double[2];
     /** Metric at the velocity that was fitted around last, or asked for; which, and whether of these events. */
     private double here;
     private double knownVx;
     private double knownVy;
     private boolean known;
     private final VelocityTop velocity = new VelocityTop();
-    private final Parabola change = new Parabola();
     private final MetricSlopes slopes = new MetricSlopes();
+    private final SlopedChange sloped = new SlopedChange(slopes);
+    private final ProjectedChange projected;
     /** Whether the velocity was fitted by the slopes last, so that changes are, too. */
     private boolean bySlopes;
     // of the axis that was looked along last, in units of the frame; and the greatest metric on the way
@@ -56,6 +53,7 @@ public final class MetricFit {
     /** Makes a fit for up to a number of events, of which so many vote on two grids. */
     public MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
         metric = new Metric(sensorWidth, sensorHeight, cellPx, capacity, mostOnBoth);
+        projected = new ProjectedChange(metric);
     }
 
     /** Bytes of the arrays of a fit for up to a number of events. */
@@ -256,57 +254,14 @@ public final class MetricFit {
         return metric.atVelocity(frame.vx(vx0, a, b), frame.vy(vy0, a, b));
     }
 
-    /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart; after a velocity fit around (0, 0). */
-    Parabola fitAcceleration(double dirX, double dirY, double h) {
-        if (bySlopes) {
-            return changeAlong(slopes.ax * dirX + slopes.ay * dirY,
-                slopes.loss(dirX, dirY, dirX, dirY) * slopes.changeShare, h);
-        }
-        metric.alongAcceleration(dirX, dirY, h, lessAndMore);
-        return changeThrough(h);
-    }
-
-    /** Fits the rotation with neighbours h rad/s apart; after a velocity fit around (0, 0). */
-    Parabola fitRotation(double h) {
-        if (bySlopes) {
-            return changeAlong(slopes.turn, slopes.lossTurn, h);
-        }
-        metric.alongRotation(h, lessAndMore);
-        return changeThrough(h);
-    }
-
-    /** Fits the change of the rotation with neighbours h rad/s² apart; after a velocity fit around (0, 0). */
-    Parabola fitSpin(double h) {
-        if (bySlopes) {
-            return changeAlong(slopes.spin, slopes.lossTurn * slopes.changeShare, h);
-        }
-        metric.alongSpin(h, lessAndMore);
-        return changeThrough(h);
-    }
-
-    /** Fits the growth with neighbours h per s apart; after a velocity fit around (0, 0). */
-    Parabola fitGrowth(double h) {
-        if (bySlopes) {
-            return changeAlong(slopes.grow, slopes.lossGrow, h);
-        }
-        metric.alongGrowth(h, lessAndMore);
-        return changeThrough(h);
-    }
-
-    private Parabola changeAlong(double rise, double loss, double h) {
-        return change.along(rise, loss, h, Parabola.floor(slopes.metric, CHANGE_SIGMAS));
+    /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */
+    ChangeFit changes() {
+        return bySlopes ? sloped : projected.around(here);
     }
 
     /** Adds up how the picture of the events changes; the structure has so many px of radius. */
     void structure(StructureTensor tensor, double radius) {
         metric.structure(tensor, radius);
-    }
-
-    private Parabola changeThrough(double h) {
-        double less = lessAndMore[0];
-        double more = lessAndMore[1];
-        double floor = Parabola.floor(Math.max(here, Math.max(less, more)), CHANGE_SIGMAS);
-        return change.through(less, here, more, h, floor);
     }
 
     /**

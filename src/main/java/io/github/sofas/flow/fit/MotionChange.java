@@ -5,9 +5,9 @@ import io.github.sofas.flow.motion.Motion;
 
 /**
  * How the motion of a structure differs from one velocity for all of it: acceleration along and across the axis that is
- * known best, rotation, its change, and growth. Each is measured by projections of its own beside the motion, and
- * believed as far as it passes what noise could be. Ours, because a velocity that is that of the middle of the window
- * lags: by 25 of a pendulum's 380 px/s.
+ * known best, rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far as
+ * it passes what noise could be. Ours, because a velocity that is that of the middle of the window lags: by 25 of a
+ * pendulum's 380 px/s.
  */
 public final class MotionChange {
     /** Shift of the end of the window by a new change of the rotation that is half taken over at once, in px. */
@@ -139,14 +139,14 @@ public final class MotionChange {
         double newOmega = 0;
         double newGrowth = 0;
         if (p.rotation()) {
-            Parabola fitted = fit.fitRotation(perPx * CHANGE_PX);
+            Parabola fitted = fit.changes().rotation(perPx * CHANGE_PX);
             double omega = turned + fitted.step();
             turns = gained(fitted.loss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
             newOmega = believed(omega, perPx, turnNoisePx) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
-            Parabola fitted = fit.fitGrowth(perPx * CHANGE_PX);
+            Parabola fitted = fit.changes().growth(perPx * CHANGE_PX);
             double growth = grown + fitted.step();
             growthSlope.measured(growth, motion.referenceUs, fitted.step() / perPx, half);
             grows = gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
@@ -168,7 +168,7 @@ public final class MotionChange {
             motion.alpha = 0;
         } else if (p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
-            double step = fit.fitSpin(perPxOfSpin * CHANGE_PX).step();
+            double step = fit.changes().spin(perPxOfSpin * CHANGE_PX).step();
             alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);
             motion.alpha = believed(alpha, perPxOfSpin, turnNoisePx) * turns * sure;
         }
@@ -180,12 +180,12 @@ public final class MotionChange {
         double flatness = loss.flatness();
         double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
         double h = perPx * CHANGE_PX;
-        Parabola fitted = fit.fitAcceleration(axisX, axisY, h);
+        Parabola fitted = fit.changes().acceleration(axisX, axisY, h);
         along = taken(along, motion.ax * axisX + motion.ay * axisY + fitted.step(), perPx,
             noisePx(BEND_NEWS_PX, EVENT_NEWS_PX, fit.size()));
         bendSigmas = Math.max(Math.abs(fitted.slope()), 2 * fitted.loss() * h * Math.abs(along))
             / MetricFit.sd(loss.metric);
-        double stepAcross = fit.fitAcceleration(-axisY, axisX, h).step();
+        double stepAcross = fit.changes().acceleration(-axisY, axisX, h).step();
         across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + stepAcross - across);
         // along a straight edge nothing is known, of acceleration still less than of velocity
         double shown = shown(flatness);

@@ -316,7 +316,7 @@ public class MetricFitTest {
         VelocityTop top = fit.fitSlopes(1, MetricFit.FLAT_SIGMAS);
         assertTrue(Double.isFinite(top.stepX()));
         assertTrue(Double.isFinite(top.lossXx()));
-        assertTrue(Double.isFinite(fit.fitGrowth(0.1).step()));
+        assertTrue(Double.isFinite(fit.changes().growth(0.1).step()));
     }
 
     private static void assertNothingIsKnown(MetricFit fit, VelocityTop top) {
@@ -325,10 +325,10 @@ public class MetricFitTest {
         assertEquals(0, top.stepY(), 0);
         assertEquals(0, top.lossXx(), 0);
         assertEquals(0, top.lossYy(), 0);
-        assertEquals(0, fit.fitAcceleration(1, 0, 1).step(), 0);
-        assertEquals(0, fit.fitRotation(1).step(), 0);
-        assertEquals(0, fit.fitGrowth(1).step(), 0);
-        assertEquals(0, fit.fitSpin(1).step(), 0);
+        assertEquals(0, fit.changes().acceleration(1, 0, 1).step(), 0);
+        assertEquals(0, fit.changes().rotation(1).step(), 0);
+        assertEquals(0, fit.changes().growth(1).step(), 0);
+        assertEquals(0, fit.changes().spin(1).step(), 0);
     }
 
     @Test
@@ -349,7 +349,7 @@ public class MetricFitTest {
         fit.add(4, 4, 0.5f, 1, 1, -1);
         fit.frame(1);
         assertEquals(0, fit.fitCross(0, 0, 2).metric(), 0);
-        assertTrue(Double.isFinite(fit.fitAcceleration(1, 0, 1).step()));
+        assertTrue(Double.isFinite(fit.changes().acceleration(1, 0, 1).step()));
         fit.frame(0, 1, 0, 1, 0.04, 1);
         VelocityTop top = fit.fitCross(0, 0, 2);
         assertTrue(Double.isFinite(top.stepX()));
@@ -387,15 +387,15 @@ public class MetricFitTest {
     public void eachChangeIsSteppedToByItself() {
         // 0.04 per s shift the ends of the window by 0.8 px at 20 px; neighbours are twice as far
         MetricFit turns = changing(0.04, 0, 0);
-        assertEquals(0.04, turns.fitRotation(0.08).step(), 0.01);
-        assertEquals(0, turns.fitGrowth(0.08).step(), 0.01);
+        assertEquals(0.04, turns.changes().rotation(0.08).step(), 0.01);
+        assertEquals(0, turns.changes().growth(0.08).step(), 0.01);
         MetricFit grows = changing(0, 0, -0.04);
-        assertEquals(-0.04, grows.fitGrowth(0.08).step(), 0.01);
-        assertEquals(0, grows.fitRotation(0.08).step(), 0.01);
+        assertEquals(-0.04, grows.changes().growth(0.08).step(), 0.01);
+        assertEquals(0, grows.changes().rotation(0.08).step(), 0.01);
         // half of 0.08 per s², from a second before to a second after
         MetricFit spins = changing(0, 0.08, 0);
-        assertEquals(0.08, spins.fitSpin(0.16).step(), 0.02);
-        assertEquals(0, spins.fitRotation(0.08).step(), 0.01);
+        assertEquals(0.08, spins.changes().spin(0.16).step(), 0.02);
+        assertEquals(0, spins.changes().rotation(0.08).step(), 0.01);
     }
 
     @Test
@@ -403,26 +403,26 @@ public class MetricFitTest {
         // 0.02 per s shift the ends of the window by 0.4 px at 20 px; a step goes about half of the way or more
         MetricFit turns = changing(0.02, 0, 0);
         turns.fitSlopes(1, MetricFit.FLAT_SIGMAS);
-        assertEquals(0.014, turns.fitRotation(0.08).step(), 0.006);
-        assertEquals(0, turns.fitGrowth(0.08).step(), 0.002);
+        assertEquals(0.014, turns.changes().rotation(0.08).step(), 0.006);
+        assertEquals(0, turns.changes().growth(0.08).step(), 0.002);
         MetricFit grows = changing(0, 0, -0.02);
         grows.fitSlopes(1, MetricFit.FLAT_SIGMAS);
-        assertEquals(-0.014, grows.fitGrowth(0.08).step(), 0.006);
-        assertEquals(0, grows.fitRotation(0.08).step(), 0.002);
+        assertEquals(-0.014, grows.changes().growth(0.08).step(), 0.006);
+        assertEquals(0, grows.changes().rotation(0.08).step(), 0.002);
         // half of 0.04 per s², from a second before to a second after
         MetricFit spins = changing(0, 0.04, 0);
         spins.fitSlopes(1, MetricFit.FLAT_SIGMAS);
-        assertEquals(0.028, spins.fitSpin(0.16).step(), 0.012);
-        assertEquals(0, spins.fitRotation(0.08).step(), 0.002);
+        assertEquals(0.028, spins.changes().spin(0.16).step(), 0.012);
+        assertEquals(0, spins.changes().rotation(0.08).step(), 0.002);
     }
 
     @Test
     public void whatIsOnOnePlaceKnowsNoGrowthAndNoRotation() {
         MetricFit point = dots(new double[][] {{0, 0, 0, 0}}, new double[][] {{0, 0}}, 0, 0, 0);
-        assertEquals(0, point.fitGrowth(0.1).step(), 0);
-        assertEquals(0, point.fitGrowth(0.1).loss(), 0);
-        assertEquals(0, point.fitSpin(0.1).step(), 0);
-        assertEquals(0, point.fitSpin(0.1).loss(), 0);
+        assertEquals(0, point.changes().growth(0.1).step(), 0);
+        assertEquals(0, point.changes().growth(0.1).loss(), 0);
+        assertEquals(0, point.changes().spin(0.1).step(), 0);
+        assertEquals(0, point.changes().spin(0.1).loss(), 0);
     }
 
     @Test

@@ -1,0 +1,22 @@
+package io.github.sofas.flow.fit;
+
+/**
+ * Fits each change of a motion by itself, around the motion that the events were projected along and whose velocity was
+ * fitted just before: the metric along the change as a parabola, until the next fit.
+ */
+interface ChangeFit {
+    /** Standard deviations of the metric that a change must be curved by to take a step to its top. */
+    double CHANGE_SIGMAS = 0.5;
+
+    /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart. */
+    Parabola acceleration(double dirX, double dirY, double h);
+
+    /** Fits the rotation with neighbours h rad/s apart. */
+    Parabola rotation(double h);
+
+    /** Fits the change of the rotation with neighbours h rad/s² apart. */
+    Parabola spin(double h);
+
+    /** Fits the growth with neighbours h per s apart. */
+    Parabola growth(double h);
+}
