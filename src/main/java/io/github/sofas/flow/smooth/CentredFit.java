@@ -21,8 +21,6 @@ final class CentredFit {
     private static final int ROUNDS = 2;
     /** Events are projected to be measured in steps of this part of a pixel. */
     private static final double STEP_PX = 1.0 / 64;
-    /** Of too many events those on some squares of this many px are measured, as a power of two. */
-    private static final int SQUARE_BITS = 3;
     /** Parts of the window, and those that many events are measured in: events that follow at once show no velocity. */
     private static final int PARTS = 8;
     private static final int MEASURED_PARTS = 0b10100101;
@@ -99,7 +97,7 @@ final class CentredFit {
         fit.clear();
         boolean many = events > WANTED;
         // a half of the window, and of that as many squares as have the events that are wanted
-        long share = !many ? Long.MAX_VALUE : (long) (2.0 * WANTED / events * (1L << 32));
+        long share = Squares.share(events, 2 * WANTED);
         projection.begin(motion, sideUs, 2 * radius, STEP_PX);
         cursor.begin(slices, path.id(), us - sideUs + 1, us + sideUs);
         for (int k = cursor.next(); k != SegmentCursor.NONE && fit.size() < fit.capacity(); k = cursor.next()) {
@@ -110,19 +108,10 @@ final class CentredFit {
             projection.advance(window.timeUs[k]);
             double x = projection.x(window.x[k], window.y[k]);
             double y = projection.y(window.x[k], window.y[k]);
-            if (!many || isMeasured(x, y, us, share)) {
+            if (Squares.isTaken(x, y, us, share)) {
                 fit.add((float) x, (float) y, fromUs * 1e-6f, (float) (x - motion.centreX),
                     (float) (y - motion.centreY), window.polarity[k]);
             }
         }
-    }
-
-    /** Whether the square is measured that a place is on: by chance, others at other times. */
-    private static boolean isMeasured(double x, double y, long us, long share) {
-        long column = (long) Math.floor(x) >> SQUARE_BITS;
-        long row = (long) Math.floor(y) >> SQUARE_BITS;
-        long hash = (column * 0x9E3779B97F4A7C15L ^ row * 0xC2B2AE3D27D4EB4FL ^ us * 0x165667B19E3779F9L)
-            * 0x9E3779B97F4A7C15L;
-        return hash >>> 32 < share;
     }
 }

@@ -193,6 +193,14 @@ final class SegmentPath {
         }
     }
 
+    /** Puts knots that are known better in the place of those from a time to before another. */
+    void replace(long fromUs, long untilUs, List<Motion> by) {
+        int k = knotsUntil(fromUs - 1);
+        knots.subList(k, knotsUntil(untilUs - 1)).clear();
+        knots.addAll(k, by);
+        forgetSteady();
+    }
+
     /** Whether its motion was ever measured. */
     boolean isMeasured() {
         return !knots.isEmpty();

@@ -40,6 +40,7 @@ public final class Smoother {
     private final Map<Integer, SegmentPath> paths = new TreeMap<>();
     private final Competition competition;
     private final CentredFit fit;
+    private final PathAlignment alignment;
     private final WarpLoss warpLoss;
     private final Labels labels = new Labels();
     private final KnownAgain knownAgain;
@@ -63,6 +64,7 @@ public final class Smoother {
         sliceUs = SliceClock.sliceUs(lookAheadUs);
         competition = new Competition(sensor, window, labels);
         fit = new CentredFit(sensor, window, p);
+        alignment = new PathAlignment(sensor, window);
         warpLoss = new WarpLoss(sensor, window);
         knownAgain = new KnownAgain(sensor, window);
     }
@@ -75,7 +77,7 @@ public final class Smoother {
         int mostEvents = (KEPT + 1) * MOST_EVENTS;
         return EventWindow.mostBytes(mostEvents) + (KEPT + 1) * Slice.mostBytes(sensor, MOST_EVENTS)
             + Competition.mostBytes(sensor, MOST_EVENTS) + CentredFit.bytes(sensor) + 2 * Picture.bytes(sensor)
-            + WarpLoss.bytes(sensor) + (long) BYTES_PER_EVENT * mostEvents;
+            + PathAlignment.bytes(sensor) + WarpLoss.bytes(sensor) + (long) BYTES_PER_EVENT * mostEvents;
     }
 
     private int events() {
@@ -236,7 +238,7 @@ public final class Smoother {
         }
     }
 
-    /** Measures anew what turns or grows, in the slice that is labelled next. */
+    /** Measures anew what turns or grows, and bends all paths, in the slice that is labelled next. */
     private void refine() {
         int index = slices.size() - 1 - FIRST_LOOK;
         if (index < 0) {
@@ -246,6 +248,7 @@ public final class Smoother {
         for (SegmentPath path : paths.values()) {
             if (path.isMeasured() && slice.has(path.id())) {
                 path.refine(slice, FIRST_LOOK * sliceUs, (us, sideUs) -> fit.measure(path, slices, us, sideUs));
+                alignment.bend(path, slices, slice, sliceUs);
             }
         }
     }

@@ -195,4 +195,20 @@ public class SegmentPathTest {
         assertEquals(100, path.about(50_000, 1_000).vx, EXACT);
         assertEquals(200, path.about(250_000, 1_000).vx, EXACT);
     }
+
+    @Test
+    public void knotsThatAreKnownBetterTakeThePlaceOfThoseOfTheirTime() {
+        for (int k = 0; k <= 4; k++) {
+            path.add(motion(100_000 * k, 100, 10 * k));
+        }
+        path.replace(100_000, 300_000, List.of(motion(150_000, 50, 15), motion(250_000, 60, 20)));
+        path.at(0, at);
+        assertEquals(100, at.vx, EXACT);
+        path.at(150_000, at);
+        assertEquals(50, at.vx, EXACT);
+        path.at(200_000, at);
+        assertEquals("between the two", 55, at.vx, EXACT);
+        path.at(300_000, at);
+        assertEquals("that of the time after", 100, at.vx, EXACT);
+    }
 }

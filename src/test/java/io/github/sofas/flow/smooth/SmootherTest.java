@@ -23,6 +23,9 @@ public class SmootherTest {
     private final EventBatch batch = new EventBatch(40);
     private final FlowOutput causal = new FlowOutput(40);
 
+    /** Whether the lower half of the edge goes along. */
+    private boolean lowerMoves = true;
+
     private void measured(int segment, long us, double vx, int y) {
         Motion motion = new Motion();
         motion.set(us, vx, 0);
@@ -36,7 +39,7 @@ public class SmootherTest {
         for (int column = from; column < until; column++) {
             batch.clear();
             for (int y = 10; y < 50; y++) {
-                batch.add(column * 10_000L, 10 + column, y, 1);
+                batch.add(column * 10_000L, 10 + (y < 30 || lowerMoves ? column : 0), y, 1);
                 causal.segment[y - 10] = y < 30 ? upper : lower;
             }
             smoother.endSlices(column * 10_000L);
@@ -96,6 +99,7 @@ public class SmootherTest {
         measured(UPPER, 90_000, 100, 20);
         measured(LOWER, 0, 0, 40);
         measured(LOWER, 90_000, 0, 40);
+        lowerMoves = false;
         film(0, 10, UPPER, LOWER);
         assertTrue("9 px apart", smoother.merge(LOWER, UPPER));
         film(10, 20, UPPER, UPPER);

@@ -1,0 +1,175 @@
+package io.github.sofas.flow.smooth;
+
+import java.util.Arrays;
+
+/**
+ * How far each of several parts of the time, one after the other, is to be shifted, in px: where what pulls at the
+ * parts balances what it costs that the shifts change from part to part, and that their change changes. A part that
+ * nothing pulls at goes with its neighbours, and a direction that hardly any part shows is left as it is.
+ */
+final class PartShifts {
+    /** Cost of a change of the shifts by 1 px from a part to the next, in mean curvatures of the pulls. */
+    private static final double CHANGE_COST = 1;
+    /** The same of a change of their change. */
+    private static final double BEND_COST = 0.5;
+    /** The same of a shift itself: those that are the same for all parts change nothing. */
+    private static final double SHIFT_COST = 1e-3;
+    /** Curvature across the axis that is curved most, as a share of that, at which it counts half. */
+    private static final double FLAT = 0.5;
+    private static final int[] CHANGE = {1, -1};
+    private static final int[] BEND = {1, -2, 1};
+    /** Unknowns from one to the last that it has to do with: x and y of a part, of the next, and x of that after it. */
+    private static final int BAND = 4;
+
+    private final int parts;
+    private final double[] shifts;
+    /** Symmetric, the part below the diagonal: entry (i, i - k) at i (BAND + 1) + k. */
+    private final double[] matrix;
+    private final double[] right;
+    private double curvatures;
+    private double gain;
+
+    PartShifts(int parts) {
+        this.parts = parts;
+        shifts = new double[2 * parts];
+        right = new double[2 * parts];
+        matrix = new double[2 * parts * (BAND + 1)];
+    }
+
+    /** Begins without shifts. */
+    void clear() {
+        Arrays.fill(shifts, 0);
+        begin();
+    }
+
+    private void begin() {
+        Arrays.fill(matrix, 0);
+        Arrays.fill(right, 0);
+        curvatures = 0;
+    }
+
+    /** Shift of a part to the right. */
+    double x(int part) {
+        return shifts[2 * part];
+    }
+
+    /** Shift of a part downwards. */
+    double y(int part) {
+        return shifts[2 * part + 1];
+    }
+
+    /**
+     * Adds what pulls at a part where it is: a parabola of these slopes, and of this curvature downwards. Where that is
+     * too little, or none, its slope pulls by a pixel: nothing was seen farther off.
+     */
+    void pull(int part, double slopeX, double slopeY, double xx, double xy, double yy) {
+        double middle = (xx + yy) / 2;
+        double off = Math.sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
+        double angle = 0.5 * Math.atan2(2 * xy, xx - yy);
+        double c = Math.cos(angle);
+        double s = Math.sin(angle);
+        double slopeAlong = slopeX * c + slopeY * s;
+        double slopeAcross = slopeY * c - slopeX * s;
+        double along = atLeast(middle + off, slopeAlong);
+        double across = atLeast(middle - off, slopeAcross);
+        double shown = shown(across, along);
+        slopeAcross *= shown;
+        across *= shown;
+        int i = 2 * part;
+        to(i, i, along * c * c + across * s * s);
+        to(i + 1, i, (along - across) * c * s);
+        to(i + 1, i + 1, along * s * s + across * c * c);
+        right[i] += slopeAlong * c - slopeAcross * s;
+        right[i + 1] += slopeAlong * s + slopeAcross * c;
+        curvatures += (along + across) / 2;
+    }
+
+    /** How far the axis shows anything, 0 to 1, that is curved less. */
+    private static double shown(double less, double more) {
+        double ratio = FLAT * more / less;
+        return less > 0 ? 1 / (1 + ratio * ratio) : 0;
+    }
+
+    private static double atLeast(double curvature, double slope) {
+        return Math.max(curvature, Math.abs(slope));
+    }
+
+    private void to(int i, int j, double value) {
+        matrix[i * (BAND + 1) + i - j] += value;
+    }
+
+    /** Shifts the parts on by what pulls at them, and lets the pulls go; false where nothing pulls. */
+    boolean step() {
+        boolean isPulled = curvatures > 0;
+        gain = 0;
+        if (isPulled) {
+            double mean = curvatures / parts;
+            for (int i = 0; i < 2 * parts; i++) {
+                to(i, i, SHIFT_COST * mean);
+                if (i >= 2) {
+                    charge(i, CHANGE, CHANGE_COST * mean);
+                }
+                if (i >= 4) {
+                    charge(i, BEND, BEND_COST * mean);
+                }
+            }
+            double[] slopes = right.clone();
+            solve();
+            for (int i = 0; i < 2 * parts; i++) {
+                gain += slopes[i] * right[i] / 2;
+                shifts[i] += right[i];
+            }
+        }
+        begin();
+        return isPulled;
+    }
+
+    /** What the last step was to gain, as far as the pulls are parabolas. */
+    double gain() {
+        return gain;
+    }
+
+    /** Makes a difference cost its square: of a shift, and of those one and two parts before, so many times each. */
+    private void charge(int last, int[] times, double cost) {
+        double difference = 0;
+        for (int k = 0; k < times.length; k++) {
+            difference += times[k] * shifts[last - 2 * k];
+        }
+        for (int k = 0; k < times.length; k++) {
+            right[last - 2 * k] -= cost * times[k] * difference;
+            for (int l = k; l < times.length; l++) {
+                to(last - 2 * k, last - 2 * l, cost * times[k] * times[l]);
+            }
+        }
+    }
+
+    /** Solves the system in place, by Cholesky within the band. */
+    private void solve() {
+        int n = 2 * parts;
+        for (int i = 0; i < n; i++) {
+            for (int j = Math.max(0, i - BAND); j <= i; j++) {
+                double value = at(i, j);
+                for (int k = Math.max(0, i - BAND); k < j; k++) {
+                    value -= at(i, k) * at(j, k);
+                }
+                matrix[i * (BAND + 1) + i - j] = i == j ? Math.sqrt(value) : value / at(j, j);
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            for (int k = Math.max(0, i - BAND); k < i; k++) {
+                right[i] -= at(i, k) * right[k];
+            }
+            right[i] /= at(i, i);
+        }
+        for (int i = n - 1; i >= 0; i--) {
+            for (int k = i + 1; k <= Math.min(n - 1, i + BAND); k++) {
+                right[i] -= at(k, i) * right[k];
+            }
+            right[i] /= at(i, i);
+        }
+    }
+
+    private double at(int i, int j) {
+        return matrix[i * (BAND + 1) + i - j];
+    }
+}

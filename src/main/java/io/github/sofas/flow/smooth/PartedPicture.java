@@ -1,0 +1,115 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import java.util.Arrays;
+
+/**
+ * A picture of events that were moved to one time, whatever their polarity: each votes for the four pixels around its
+ * place by its nearness. Votes are whole numbers, so that some can be taken out again, and nothing is left of them.
+ */
+final class PartedPicture {
+    /** Places are in parts of a pixel, 2^this many. */
+    static final int SUB_BITS = 6;
+    private static final int SUB = 1 << SUB_BITS;
+    /** Bits below one of what meets: of two votes, each of two coordinates. */
+    static final int MET_BITS = 4 * SUB_BITS;
+    /** Places along each axis that are looked at. */
+    static final int BESIDE = 3;
+    /** Room around the sensor for what is moved off it, in px. */
+    private static final int BORDER = 12;
+
+    private final int width;
+    private final int height;
+    private final int[] votes;
+    /** Around the pixels that may have votes. */
+    private final PixelBox box = new PixelBox();
+
+    PartedPicture(SensorSize sensor) {
+        width = sensor.width() + 2 * BORDER;
+        height = sensor.height() + 2 * BORDER;
+        votes = new int[width * height];
+    }
+
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
+        return Integer.BYTES * (sensor.width() + 2L * BORDER) * (sensor.height() + 2L * BORDER);
+    }
+
+    /** Forgets all events. */
+    void clear() {
+        for (int row = box.top; row <= box.bottom + 1; row++) {
+            Arrays.fill(votes, row * width + box.left, row * width + box.right + 2, 0);
+        }
+        box.clear();
+    }
+
+    /** Place of a coordinate in px. */
+    static int place(double px) {
+        return shift(px + BORDER);
+    }
+
+    /** What a place differs by from another that is so many px away. */
+    static int shift(double px) {
+        return (int) Math.rint(px * SUB);
+    }
+
+    /** Adds an event at a place with weight 1, or takes it out with -1; what is farther off the sensor has no votes. */
+    void add(int x, int y, int weight) {
+        int column = x >> SUB_BITS;
+        int row = y >> SUB_BITS;
+        if (isOutside(column, row)) {
+            return;
+        }
+        box.add(column, row);
+        int k = row * width + column;
+        int right = x & SUB - 1;
+        int left = (SUB - right) * weight;
+        int below = y & SUB - 1;
+        int above = SUB - below;
+        right *= weight;
+        votes[k] += left * above;
+        votes[k + 1] += right * above;
+        votes[k + width] += left * below;
+        votes[k + width + 1] += right * below;
+    }
+
+    private boolean isOutside(int column, int row) {
+        return column < 0 || row < 0 || column >= width - 1 || row >= height - 1;
+    }
+
+    /**
+     * Adds how many events one at a place would meet, by nearness, and so many px beside: -1, 0 and 1 to the right, in
+     * three rows from above down. In parts of 2^-{@value #MET_BITS}.
+     */
+    void addMeets(int x, int y, long[] met) {
+        int column = x >> SUB_BITS;
+        int row = y >> SUB_BITS;
+        if (isOutside(column - 1, row - 1) || isOutside(column + 1, row + 1)) {
+            return;
+        }
+        int right = x & SUB - 1;
+        int left = SUB - right;
+        int below = y & SUB - 1;
+        int above = SUB - below;
+        int k = (row - 1) * width + column - 1;
+        long a = across(k, left, right);
+        long b = across(k + 1, left, right);
+        long c = across(k + 2, left, right);
+        for (int m = 0; m < met.length; m += BESIDE) {
+            k += width;
+            long nextA = across(k, left, right);
+            long nextB = across(k + 1, left, right);
+            long nextC = across(k + 2, left, right);
+            met[m] += above * a + below * nextA;
+            met[m + 1] += above * b + below * nextB;
+            met[m + 2] += above * c + below * nextC;
+            a = nextA;
+            b = nextB;
+            c = nextC;
+        }
+    }
+
+    private long across(int k, int left, int right) {
+        return (long) left * votes[k] + (long) right * votes[k + 1];
+    }
+}

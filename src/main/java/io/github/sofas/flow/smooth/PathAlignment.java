@@ -1,0 +1,226 @@
+package io.github.sofas.flow.smooth;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Motion;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Bends a path until the events of each short part of the time lie where those of the others do: all make one picture
+ * along the path, and what a part lies beside it, the path is off by. Ours, because a motion that is measured over some
+ * px of travel bends evenly; what turns back, stops or sets off does not, but its picture stays the same. Polarities
+ * count for nothing: they change as a structure turns back.
+ */
+final class PathAlignment {
+    /** Slices that are looked at on either side of the one whose path is bent, and parts of each. */
+    private static final int SIDE_SLICES = 2;
+    private static final int PARTS_OF_SLICE = 4;
+    private static final int PARTS = (2 * SIDE_SLICES + 1) * PARTS_OF_SLICE;
+    /** Shift by what a path bends on either side below which it is steady, in px. */
+    private static final double STEADY_PX = 0.1;
+    /** Steps of the projection. */
+    private static final int STEPS = 128;
+    /** Events that are wanted of more, and room for those of squares that have more than others. */
+    private static final int WANTED_EVENTS = 14_000;
+    private static final int MOST_EVENTS = 1 << 14;
+    private static final int LEAST_EVENTS = 60;
+    private static final int ROUNDS = 3;
+    /** Metric that is to be gained, in standard deviations; and the share that the first round must promise. */
+    private static final double LEAST_SIGMAS = 1;
+    private static final double FIRST_SHARE = 0.3;
+    /** Farthest that a part is to be shifted, in px. */
+    private static final double LEAST_PX = 0.15;
+
+    private final EventWindow window;
+    private final SegmentCursor cursor;
+    private final PathProjection projection = new PathProjection();
+    private final PartedPicture picture;
+    private final PartShifts shifts = new PartShifts(PARTS);
+    // places at the reference
+    private final int[] x = new int[MOST_EVENTS];
+    private final int[] y = new int[MOST_EVENTS];
+    /** Where the events of each part begin. */
+    private final int[] start = new int[PARTS + 1];
+    private final long[] sums = new long[PartedPicture.BESIDE * PartedPicture.BESIDE];
+    private final double[] met = new double[sums.length];
+    private final Motion middle = new Motion();
+    private final Motion side = new Motion();
+    private long fromUs;
+    private long untilUs;
+
+    PathAlignment(SensorSize sensor, EventWindow window) {
+        this.window = window;
+        cursor = new SegmentCursor(window);
+        picture = new PartedPicture(sensor);
+    }
+
+    /** The bytes that its arrays take. */
+    static long bytes(SensorSize sensor) {
+        return PartedPicture.bytes(sensor) + 2L * Integer.BYTES * MOST_EVENTS;
+    }
+
+    /**
+     * Bends a path in a slice where its events then meet more often.
+     *
+     * @param slices those around it, in order
+     * @param sliceUs time of a slice
+     */
+    void bend(SegmentPath path, List<Slice> slices, Slice slice, long sliceUs) {
+        fromUs = Math.max(slice.fromUs - SIDE_SLICES * sliceUs, Math.min(path.firstSeenUs(), slice.fromUs));
+        untilUs = slice.untilUs + SIDE_SLICES * sliceUs;
+        if (isSteady(path, slice.middleUs())) {
+            return;
+        }
+        projection.begin(path, slice.middleUs(), fromUs, (double) STEPS / (untilUs - fromUs), STEPS);
+        if (place(path.id(), slices) >= LEAST_EVENTS && align()) {
+            path.replace(slice.fromUs, slice.untilUs, knots(path, slice));
+        }
+    }
+
+    /** Whether the path goes straight on, so that what was measured over it is right. */
+    private boolean isSteady(SegmentPath path, long middleUs) {
+        path.at(middleUs, middle);
+        return bendPx(path, fromUs) < STEADY_PX && bendPx(path, untilUs) < STEADY_PX;
+    }
+
+    /** What the change of the velocity from the middle to a time shifts by, in px. */
+    private double bendPx(SegmentPath path, long us) {
+        path.at(us, side);
+        // the same point of the structure in both
+        side.moveCentre(middle.centreX + middle.vx * (us - middle.referenceUs) * 1e-6,
+            middle.centreY + middle.vy * (us - middle.referenceUs) * 1e-6);
+        return Math.hypot(side.vx - middle.vx, side.vy - middle.vy) * Math.abs(us - middle.referenceUs) * 0.5e-6;
+    }
+
+    /** Moves the segment's events to the reference; returns how many there are. */
+    private int place(int segment, List<Slice> slices) {
+        long share = Squares.share(count(segment, slices), WANTED_EVENTS);
+        int n = 0;
+        int part = 0;
+        cursor.begin(slices, segment, fromUs, untilUs);
+        for (int k = cursor.next(); k != SegmentCursor.NONE && n < MOST_EVENTS; k = cursor.next()) {
+            long us = window.timeUs[k] - fromUs;
+            while (part < us * PARTS / (untilUs - fromUs)) {
+                start[++part] = n;
+            }
+            projection.goTo(projection.step(us));
+            double atX = projection.x(window.x[k], window.y[k]);
+            double atY = projection.y(window.x[k], window.y[k]);
+            if (Squares.isTaken(atX, atY, fromUs, share)) {
+                x[n] = PartedPicture.place(atX);
+                y[n] = PartedPicture.place(atY);
+                n++;
+            }
+        }
+        while (part < PARTS) {
+            start[++part] = n;
+        }
+        return n;
+    }
+
+    private int count(int segment, List<Slice> slices) {
+        int events = 0;
+        for (Slice each : slices) {
+            if (each.untilUs > fromUs && each.fromUs < untilUs) {
+                SegmentEvents own = each.bySegment(window);
+                events += own.until(segment) - own.from(segment);
+            }
+        }
+        return events;
+    }
+
+    /** Shifts the parts onto the picture that all make; whether it is worth it. */
+    private boolean align() {
+        shifts.clear();
+        double before = pull();
+        double after = before;
+        for (int round = 0; round < ROUNDS; round++) {
+            if (!shifts.step() || round == 0 && shifts.gain() < FIRST_SHARE * LEAST_SIGMAS * sd(before)) {
+                return false;
+            }
+            after = pull();
+        }
+        // each meeting counts twice, once for either event
+        return after - before > 2 * LEAST_SIGMAS * sd(after) && isFar();
+    }
+
+    private static double sd(double metric) {
+        return Math.sqrt(Math.max(1, metric));
+    }
+
+    private boolean isFar() {
+        for (int part = 0; part < PARTS; part++) {
+            if (Math.hypot(shifts.x(part), shifts.y(part)) >= LEAST_PX) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Finds what pulls at each part: how often its events meet those of the others, here and beside. */
+    private double pull() {
+        picture.clear();
+        for (int part = 0; part < PARTS; part++) {
+            draw(part, 1);
+        }
+        double sum = 0;
+        for (int part = 0; part < PARTS; part++) {
+            if (start[part] == start[part + 1]) {
+                continue;
+            }
+            draw(part, -1);
+            look(part);
+            draw(part, 1);
+            sum += met[4];
+            shifts.pull(part, (met[5] - met[3]) / 2, (met[7] - met[1]) / 2, 2 * met[4] - met[3] - met[5],
+                (met[2] + met[6] - met[0] - met[8]) / 4, 2 * met[4] - met[1] - met[7]);
+        }
+        return sum;
+    }
+
+    private void draw(int part, int weight) {
+        int right = PartedPicture.shift(shifts.x(part));
+        int down = PartedPicture.shift(shifts.y(part));
+        for (int i = start[part]; i < start[part + 1]; i++) {
+            picture.add(x[i] + right, y[i] + down, weight);
+        }
+    }
+
+    /** Looks how many events those of a part meet where they are shifted to, and a px beside. */
+    private void look(int part) {
+        int right = PartedPicture.shift(shifts.x(part));
+        int down = PartedPicture.shift(shifts.y(part));
+        Arrays.fill(sums, 0);
+        for (int i = start[part]; i < start[part + 1]; i++) {
+            picture.addMeets(x[i] + right, y[i] + down, sums);
+        }
+        for (int k = 0; k < met.length; k++) {
+            met[k] = Math.scalb((double) sums[k], -PartedPicture.MET_BITS);
+        }
+    }
+
+    /** The motion in the middle of each part in a slice. */
+    private List<Motion> knots(SegmentPath path, Slice slice) {
+        List<Motion> knots = new ArrayList<>();
+        double seconds = (untilUs - fromUs) * 1e-6 / PARTS;
+        for (int part = 0; part < PARTS; part++) {
+            long afterUs = (untilUs - fromUs) * (2 * part + 1) / (2 * PARTS);
+            if (fromUs + afterUs >= slice.fromUs && fromUs + afterUs < slice.untilUs) {
+                int before = Math.max(0, part - 1);
+                int after = Math.min(PARTS - 1, part + 1);
+                double perS = 1 / ((after - before) * seconds);
+                double vx = (shifts.x(after) - shifts.x(before)) * perS;
+                double vy = (shifts.y(after) - shifts.y(before)) * perS;
+                Motion motion = new Motion();
+                path.at(fromUs + afterUs, motion);
+                // at the reference the part was turned and grown by what comes between
+                projection.goTo(projection.step(afterUs));
+                motion.vx -= projection.backX(vx, vy) - projection.backX(0, 0);
+                motion.vy -= projection.backY(vx, vy) - projection.backY(0, 0);
+                knots.add(motion);
+            }
+        }
+        return knots;
+    }
+}
