@@ -17,6 +17,11 @@ final class PathAlignment {
     private static final int SIDE_SLICES = 2;
     private static final int PARTS_OF_SLICE = 4;
     private static final int PARTS = (2 * SIDE_SLICES + 1) * PARTS_OF_SLICE;
+    /**
+     * Shortest slice: with look-aheads of less than 100 ms, what is looked at is too short for parts with pictures of
+     * their own, and real recordings become less sharp.
+     */
+    private static final long LEAST_SLICE_US = 25_000;
     /** Shift by what a path bends on either side below which it is steady, in px. */
     private static final double STEADY_PX = 0.1;
     /** Steps of the projection. */
@@ -61,7 +66,7 @@ final class PathAlignment {
     }
 
     /**
-     * Bends a path in a slice where its events then meet more often.
+     * Bends a path in a slice where its events then meet more often; not where slices are short.
      *
      * @param slices those around it, in order
      * @param sliceUs time of a slice
@@ -69,7 +74,7 @@ final class PathAlignment {
     void bend(SegmentPath path, List<Slice> slices, Slice slice, long sliceUs) {
         fromUs = Math.max(slice.fromUs - SIDE_SLICES * sliceUs, Math.min(path.firstSeenUs(), slice.fromUs));
         untilUs = slice.untilUs + SIDE_SLICES * sliceUs;
-        if (isSteady(path, slice.middleUs())) {
+        if (sliceUs < LEAST_SLICE_US || isSteady(path, slice.middleUs())) {
             return;
         }
         projection.begin(path, slice.middleUs(), fromUs, (double) STEPS / (untilUs - fromUs), STEPS);
