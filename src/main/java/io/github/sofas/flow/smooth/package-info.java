@@ -6,7 +6,8 @@
  *   measured motion ─> path of its segment: a knot at the middle of the window that it was measured over
  *                         │
  *                         v
- *   slice ── after two more: competition of the paths for its open events; after four: again, for good
+ *   slice ── after two more: paths that turn measured anew, those that bend aligned
+ *         ── then: competition of the paths for its open events; after four: again, for good
  *         ── velocity of each event from the path of its segment
  * </pre>
  *
