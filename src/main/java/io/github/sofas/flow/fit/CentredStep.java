@@ -68,7 +68,7 @@ public final class CentredStep {
         double axisX = top.axisX();
         double axisY = top.axisY();
         double along = (top.stepX() * axisX + top.stepY() * axisY) * followed(best, stiffness);
-        double across = (top.stepY() * axisX - top.stepX() * axisY) * shown(flatness, FLAT);
+        double across = (top.stepY() * axisX - top.stepX() * axisY) * MetricFit.shown(flatness, FLAT);
         motion.vx += along * axisX - across * axisY;
         motion.vy += along * axisY + across * axisX;
     }
@@ -80,8 +80,8 @@ public final class CentredStep {
         double h = perPx * CHANGE_PX;
         double along = motion.ax * axisX + motion.ay * axisY + fit.changes().acceleration(axisX, axisY, h).step();
         double across = motion.ay * axisX - motion.ax * axisY + fit.changes().acceleration(-axisY, axisX, h).step();
-        double a = along * shown(Math.abs(along) / perPx, BEND_PX);
-        double b = across * shown(Math.abs(across) / perPx, BEND_PX) * shown(flatness, FLAT_CHANGE);
+        double a = along * MetricFit.shown(Math.abs(along) / perPx, BEND_PX);
+        double b = across * MetricFit.shown(Math.abs(across) / perPx, BEND_PX) * MetricFit.shown(flatness, FLAT_CHANGE);
         motion.ax = a * axisX - b * axisY;
         motion.ay = a * axisY + b * axisX;
     }
@@ -101,7 +101,7 @@ public final class CentredStep {
         }
         double known = Math.sqrt(motion.omega * motion.omega + motion.growth * motion.growth) / perPx;
         double evidence = fit.localEvidence(motion.omega + turn, motion.growth + grow, turn, grow);
-        double sure = evidence > SURE_SIGMAS ? 1 : shown(known, KNOWN_PX);
+        double sure = evidence > SURE_SIGMAS ? 1 : MetricFit.shown(known, KNOWN_PX);
         motion.omega += sure * turn;
         motion.growth += sure * grow;
         if (p.rotation() && p.acceleration()) {
@@ -113,11 +113,5 @@ public final class CentredStep {
     /** Share of a step that is taken, of a parameter that loses as much. */
     private static double followed(double loss, double stiffness) {
         return loss > 0 ? loss / (loss + stiffness) : 0;
-    }
-
-    /** How far something shows, 0 to 1, that shows half at another value. */
-    private static double shown(double value, double half) {
-        double ratio = half / value;
-        return value > 0 ? 1 / (1 + ratio * ratio) : 0;
     }
 }

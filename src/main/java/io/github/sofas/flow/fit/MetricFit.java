@@ -157,6 +157,17 @@ public final class MetricFit {
         return Math.sqrt(Math.max(1, metric));
     }
 
+    /**
+     * {@return how far something shows, 0 to 1}
+     *
+     * @param value of what shows; where it is not positive, nothing does
+     * @param half value at which it shows half
+     */
+    public static double shown(double value, double half) {
+        double ratio = half / value;
+        return value > 0 ? 1 / (1 + ratio * ratio) : 0;
+    }
+
     /** Spreads the frame after a step that left it. */
     public void widen(double factor) {
         frame.widen(factor);

@@ -188,7 +188,7 @@ public final class MotionChange {
         double stepAcross = fit.changes().acceleration(-axisY, axisX, h).step();
         across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + stepAcross - across);
         // along a straight edge nothing is known, of acceleration still less than of velocity
-        double shown = shown(flatness);
+        double shown = MetricFit.shown(flatness, FLAT_CHANGE);
         shownAcross = across * shown;
         double a = believed(along, perPx, bendNoisePx);
         double b = believed(across, perPx, bendNoisePx) * shown;
@@ -241,12 +241,6 @@ public final class MotionChange {
         double px = (measured - before) / perPx;
         double gain = CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + newsPx * newsPx);
         return before + gain * (measured - before);
-    }
-
-    /** How far a change shows, 0 to 1, of which as much is known as a share of the best known. */
-    private static double shown(double share) {
-        double ratio = FLAT_CHANGE / share;
-        return share > 0 ? 1 / (1 + ratio * ratio) : 0;
     }
 
     /** How far a change is real, 0 to 1, that gains so much of the metric. */

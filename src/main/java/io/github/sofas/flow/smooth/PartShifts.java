@@ -1,5 +1,6 @@
 package io.github.sofas.flow.smooth;
 
+import io.github.sofas.flow.fit.MetricFit;
 import java.util.Arrays;
 
 /**
@@ -72,7 +73,7 @@ final class PartShifts {
         double slopeAcross = slopeY * c - slopeX * s;
         double along = atLeast(middle + off, slopeAlong);
         double across = atLeast(middle - off, slopeAcross);
-        double shown = shown(across, along);
+        double shown = MetricFit.shown(across, FLAT * along);
         slopeAcross *= shown;
         across *= shown;
         int i = 2 * part;
@@ -82,12 +83,6 @@ final class PartShifts {
         right[i] += slopeAlong * c - slopeAcross * s;
         right[i + 1] += slopeAlong * s + slopeAcross * c;
         curvatures += (along + across) / 2;
-    }
-
-    /** How far the axis shows anything, 0 to 1, that is curved less. */
-    private static double shown(double less, double more) {
-        double ratio = FLAT * more / less;
-        return less > 0 ? 1 / (1 + ratio * ratio) : 0;
     }
 
     private static double atLeast(double curvature, double slope) {

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -91,10 +92,7 @@ final class PathAlignment {
 
     /** What the change of the velocity from the middle to a time shifts by, in px. */
     private double bendPx(SegmentPath path, long us) {
-        path.at(us, side);
-        // the same point of the structure in both
-        side.moveCentre(middle.centreX + middle.vx * (us - middle.referenceUs) * 1e-6,
-            middle.centreY + middle.vy * (us - middle.referenceUs) * 1e-6);
+        path.at(us, middle, side);
         return Math.hypot(side.vx - middle.vx, side.vy - middle.vy) * Math.abs(us - middle.referenceUs) * 0.5e-6;
     }
 
@@ -141,17 +139,13 @@ final class PathAlignment {
         double before = pull();
         double after = before;
         for (int round = 0; round < ROUNDS; round++) {
-            if (!shifts.step() || round == 0 && shifts.gain() < FIRST_SHARE * LEAST_SIGMAS * sd(before)) {
+            if (!shifts.step() || round == 0 && shifts.gain() < FIRST_SHARE * LEAST_SIGMAS * MetricFit.sd(before)) {
                 return false;
             }
             after = pull();
         }
         // each meeting counts twice, once for either event
-        return after - before > 2 * LEAST_SIGMAS * sd(after) && isFar();
-    }
-
-    private static double sd(double metric) {
-        return Math.sqrt(Math.max(1, metric));
+        return after - before > 2 * LEAST_SIGMAS * MetricFit.sd(after) && isFar();
     }
 
     private boolean isFar() {

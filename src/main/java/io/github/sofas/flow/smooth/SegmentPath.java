@@ -254,9 +254,7 @@ final class SegmentPath {
         double growth = 0;
         for (int k = 1 - SAMPLES; k < SAMPLES; k++) {
             long fromUs = (long) (sideUs * k / SAMPLES);
-            at(us + fromUs, before);
-            // the same point of the structure in all
-            before.moveCentre(steady.centreX + steady.vx * fromUs * 1e-6, steady.centreY + steady.vy * fromUs * 1e-6);
+            at(us + fromUs, steady, before);
             double weight = (double) (SAMPLES - Math.abs(k)) / (SAMPLES * SAMPLES);
             vx += weight * before.vx;
             vy += weight * before.vy;
@@ -295,14 +293,18 @@ final class SegmentPath {
         to.hold();
     }
 
+    /** The motion at a time, about the point of the structure that is the centre of a motion at its own. */
+    void at(long us, Motion of, Motion to) {
+        long fromUs = us - of.referenceUs;
+        at(us, to);
+        to.moveCentre(of.centreX + of.vx * fromUs * 1e-6, of.centreY + of.vy * fromUs * 1e-6);
+    }
+
     /** The motion at a time, changing as it does in the mean from a time before to as long after. */
     void bending(long us, long sideUs, Motion to) {
-        at(us - sideUs, before);
-        at(us + sideUs, after);
         at(us, to);
-        // the same point of the structure in all
-        before.moveCentre(to.centreX - to.vx * sideUs * 1e-6, to.centreY - to.vy * sideUs * 1e-6);
-        after.moveCentre(to.centreX + to.vx * sideUs * 1e-6, to.centreY + to.vy * sideUs * 1e-6);
+        at(us - sideUs, to, before);
+        at(us + sideUs, to, after);
         to.ax = (after.vx - before.vx) / (2e-6 * sideUs);
         to.ay = (after.vy - before.vy) / (2e-6 * sideUs);
         to.alpha = (after.omega - before.omega) / (2e-6 * sideUs);
