@@ -3,6 +3,7 @@ package io.github.sofas.flow.smooth;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.PixelBox;
 import java.util.Arrays;
 import java.util.List;
 

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MeetingPicture;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 import java.util.ArrayList;
@@ -41,14 +42,14 @@ final class PathAlignment {
     private final EventWindow window;
     private final SegmentCursor cursor;
     private final PathProjection projection = new PathProjection();
-    private final PartedPicture picture;
+    private final MeetingPicture picture;
     private final PartShifts shifts = new PartShifts(PARTS);
     // places at the reference
     private final int[] x = new int[MOST_EVENTS];
     private final int[] y = new int[MOST_EVENTS];
     /** Where the events of each part begin. */
     private final int[] start = new int[PARTS + 1];
-    private final long[] sums = new long[PartedPicture.BESIDE * PartedPicture.BESIDE];
+    private final long[] sums = new long[MeetingPicture.BESIDE * MeetingPicture.BESIDE];
     private final double[] met = new double[sums.length];
     private final Motion middle = new Motion();
     private final Motion side = new Motion();
@@ -58,12 +59,12 @@ final class PathAlignment {
     PathAlignment(SensorSize sensor, EventWindow window) {
         this.window = window;
         cursor = new SegmentCursor(window);
-        picture = new PartedPicture(sensor);
+        picture = new MeetingPicture(sensor);
     }
 
     /** The bytes that its arrays take. */
     static long bytes(SensorSize sensor) {
-        return PartedPicture.bytes(sensor) + 2L * Integer.BYTES * MOST_EVENTS;
+        return MeetingPicture.bytes(sensor) + 2L * Integer.BYTES * MOST_EVENTS;
     }
 
     /**
@@ -111,8 +112,8 @@ final class PathAlignment {
             double atX = projection.x(window.x[k], window.y[k]);
             double atY = projection.y(window.x[k], window.y[k]);
             if (Squares.isTaken(atX, atY, fromUs, share)) {
-                x[n] = PartedPicture.place(atX);
-                y[n] = PartedPicture.place(atY);
+                x[n] = MeetingPicture.place(atX);
+                y[n] = MeetingPicture.place(atY);
                 n++;
             }
         }
@@ -179,8 +180,8 @@ final class PathAlignment {
     }
 
     private void draw(int part, int weight) {
-        int right = PartedPicture.shift(shifts.x(part));
-        int down = PartedPicture.shift(shifts.y(part));
+        int right = MeetingPicture.shift(shifts.x(part));
+        int down = MeetingPicture.shift(shifts.y(part));
         for (int i = start[part]; i < start[part + 1]; i++) {
             picture.add(x[i] + right, y[i] + down, weight);
         }
@@ -188,14 +189,14 @@ final class PathAlignment {
 
     /** Looks how many events those of a part meet where they are shifted to, and a px beside. */
     private void look(int part) {
-        int right = PartedPicture.shift(shifts.x(part));
-        int down = PartedPicture.shift(shifts.y(part));
+        int right = MeetingPicture.shift(shifts.x(part));
+        int down = MeetingPicture.shift(shifts.y(part));
         Arrays.fill(sums, 0);
         for (int i = start[part]; i < start[part + 1]; i++) {
             picture.addMeets(x[i] + right, y[i] + down, sums);
         }
         for (int k = 0; k < met.length; k++) {
-            met[k] = Math.scalb((double) sums[k], -PartedPicture.MET_BITS);
+            met[k] = Math.scalb((double) sums[k], -MeetingPicture.MET_BITS);
         }
     }
 

@@ -2,6 +2,7 @@ package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.PixelBox;
 import java.util.List;
 
 /**

@@ -6,6 +6,7 @@ import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.PixelBox;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.Test;

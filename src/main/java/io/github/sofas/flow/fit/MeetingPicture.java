@@ -1,20 +1,21 @@
-package io.github.sofas.flow.smooth;
+package io.github.sofas.flow.fit;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.PixelBox;
 import java.util.Arrays;
 
 /**
- * A picture of events that were moved to one time, whatever their polarity: each votes for the four pixels around its
- * place by its nearness. Votes are whole numbers, so that some can be taken out again, and nothing is left of them.
+ * A picture of events that were moved to one time, and how often they meet in it: each votes for the four pixels around
+ * its place by its nearness. Votes are whole numbers, so that some can be taken out again, and nothing is left of them.
  */
-final class PartedPicture {
+public final class MeetingPicture {
     /** Places are in parts of a pixel, 2^this many. */
     static final int SUB_BITS = 6;
     private static final int SUB = 1 << SUB_BITS;
     /** Bits below one of what meets: of two votes, each of two coordinates. */
-    static final int MET_BITS = 4 * SUB_BITS;
+    public static final int MET_BITS = 4 * SUB_BITS;
     /** Places along each axis that are looked at. */
-    static final int BESIDE = 3;
+    public static final int BESIDE = 3;
     /** Room around the sensor for what is moved off it, in px. */
     private static final int BORDER = 12;
 
@@ -24,19 +25,20 @@ final class PartedPicture {
     /** Around the pixels that may have votes. */
     private final PixelBox box = new PixelBox();
 
-    PartedPicture(SensorSize sensor) {
+    /** Makes it without events. */
+    public MeetingPicture(SensorSize sensor) {
         width = sensor.width() + 2 * BORDER;
         height = sensor.height() + 2 * BORDER;
         votes = new int[width * height];
     }
 
     /** The bytes that its arrays take. */
-    static long bytes(SensorSize sensor) {
+    public static long bytes(SensorSize sensor) {
         return Integer.BYTES * (sensor.width() + 2L * BORDER) * (sensor.height() + 2L * BORDER);
     }
 
     /** Forgets all events. */
-    void clear() {
+    public void clear() {
         for (int row = box.top; row <= box.bottom + 1; row++) {
             Arrays.fill(votes, row * width + box.left, row * width + box.right + 2, 0);
         }
@@ -44,17 +46,21 @@ final class PartedPicture {
     }
 
     /** Place of a coordinate in px. */
-    static int place(double px) {
+    public static int place(double px) {
         return shift(px + BORDER);
     }
 
     /** What a place differs by from another that is so many px away. */
-    static int shift(double px) {
+    public static int shift(double px) {
         return (int) Math.rint(px * SUB);
     }
 
-    /** Adds an event at a place with weight 1, or takes it out with -1; what is farther off the sensor has no votes. */
-    void add(int x, int y, int weight) {
+    /**
+     * Adds an event at a place; what is farther off the sensor has no votes.
+     *
+     * @param weight where polarities count for nothing, 1, or -1 to take it out again; else its polarity
+     */
+    public void add(int x, int y, int weight) {
         int column = x >> SUB_BITS;
         int row = y >> SUB_BITS;
         if (isOutside(column, row)) {
@@ -81,7 +87,7 @@ final class PartedPicture {
      * Adds how many events one at a place would meet, by nearness, and so many px beside: -1, 0 and 1 to the right, in
      * three rows from above down. In parts of 2^-{@value #MET_BITS}.
      */
-    void addMeets(int x, int y, long[] met) {
+    public void addMeets(int x, int y, long[] met) {
         int column = x >> SUB_BITS;
         int row = y >> SUB_BITS;
         if (isOutside(column - 1, row - 1) || isOutside(column + 1, row + 1)) {
@@ -107,6 +113,25 @@ final class PartedPicture {
             b = nextB;
             c = nextC;
         }
+    }
+
+    /**
+     * How many of the others an event meets, by nearness, that was added at a place; those of the other polarity count
+     * against it. In parts of 2^-{@value #MET_BITS}.
+     */
+    public long met(int x, int y, int polarity) {
+        int column = x >> SUB_BITS;
+        int row = y >> SUB_BITS;
+        if (isOutside(column, row)) {
+            return 0;
+        }
+        int right = x & SUB - 1;
+        int left = SUB - right;
+        int below = y & SUB - 1;
+        int above = SUB - below;
+        int k = row * width + column;
+        long own = (long) (left * left + right * right) * (above * above + below * below);
+        return polarity * (above * across(k, left, right) + below * across(k + width, left, right)) - own;
     }
 
     private long across(int k, int left, int right) {

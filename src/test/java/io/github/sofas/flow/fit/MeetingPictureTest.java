@@ -1,4 +1,4 @@
-package io.github.sofas.flow.smooth;
+package io.github.sofas.flow.fit;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
@@ -7,18 +7,18 @@ import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 import org.junit.Test;
 
-public class PartedPictureTest {
-    private final PartedPicture picture = new PartedPicture(new SensorSize(64, 48));
+public class MeetingPictureTest {
+    private final MeetingPicture picture = new MeetingPicture(new SensorSize(64, 48));
 
     private void add(double x, double y, int weight) {
-        picture.add(PartedPicture.place(x), PartedPicture.place(y), weight);
+        picture.add(MeetingPicture.place(x), MeetingPicture.place(y), weight);
     }
 
     /** What an event would meet at a place and beside, row by row. */
     private double[] around(double x, double y) {
         long[] met = new long[9];
-        picture.addMeets(PartedPicture.place(x), PartedPicture.place(y), met);
-        return Arrays.stream(met).mapToDouble(each -> Math.scalb((double) each, -PartedPicture.MET_BITS)).toArray();
+        picture.addMeets(MeetingPicture.place(x), MeetingPicture.place(y), met);
+        return Arrays.stream(met).mapToDouble(each -> Math.scalb((double) each, -MeetingPicture.MET_BITS)).toArray();
     }
 
     private double meets(double x, double y) {
@@ -67,5 +67,28 @@ public class PartedPictureTest {
         picture.clear();
         assertEquals(0, meets(20.5, 10.5), 0);
         picture.clear();
+    }
+
+    private double met(double x, double y, int polarity) {
+        return Math.scalb((double) picture.met(MeetingPicture.place(x), MeetingPicture.place(y), polarity),
+            -MeetingPicture.MET_BITS);
+    }
+
+    @Test
+    public void eventOfThePictureDoesNotMeetItself() {
+        add(20.25, 10.5, 1);
+        assertEquals(0, met(20.25, 10.5, 1), 0);
+        add(20.25, 10.5, 1);
+        // 0.75² + 0.25² by 0.5² + 0.5²
+        assertEquals(0.3125, met(20.25, 10.5, 1), 0);
+    }
+
+    @Test
+    public void eventsOfTheOtherPolarityCountAgainst() {
+        add(20, 10, 1);
+        add(20, 10, -1);
+        add(20, 10, -1);
+        assertEquals(-2, met(20, 10, 1), 0);
+        assertEquals(0, met(20, 10, -1), 0);
     }
 }

@@ -1,19 +1,25 @@
-package io.github.sofas.flow.smooth;
+package io.github.sofas.flow.motion;
 
 /** The box around some events on the sensor, with its sides on the outermost ones, and how many they are. */
-final class PixelBox {
-    int left;
-    int top;
-    int right;
-    int bottom;
-    int events;
+public final class PixelBox {
+    /** Column of the event farthest to the left. */
+    public int left;
+    /** Row of the highest one. */
+    public int top;
+    /** Column of the one farthest to the right. */
+    public int right;
+    /** Row of the lowest one. */
+    public int bottom;
+    /** How many events there are. */
+    public int events;
 
-    PixelBox() {
+    /** Makes it around no event. */
+    public PixelBox() {
         clear();
     }
 
     /** Begins around no event: no column is from its left to its right side then, and no row from its top down. */
-    void clear() {
+    public void clear() {
         left = Integer.MAX_VALUE;
         top = Integer.MAX_VALUE;
         right = Integer.MIN_VALUE;
@@ -22,7 +28,7 @@ final class PixelBox {
     }
 
     /** Adds an event. */
-    void add(int x, int y) {
+    public void add(int x, int y) {
         left = Math.min(left, x);
         right = Math.max(right, x);
         top = Math.min(top, y);
@@ -31,7 +37,7 @@ final class PixelBox {
     }
 
     /** Adds the events of another one. */
-    void add(PixelBox other) {
+    public void add(PixelBox other) {
         int all = events + other.events;
         add(other.left, other.top);
         add(other.right, other.bottom);
@@ -39,7 +45,7 @@ final class PixelBox {
     }
 
     /** About the root of the mean square distance of its events from their middle. */
-    double radius() {
+    public double radius() {
         return Math.hypot(right - left, bottom - top) / 4;
     }
 }
