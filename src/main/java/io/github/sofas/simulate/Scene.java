@@ -34,6 +34,9 @@ public enum Scene {
     /** One is hidden for a while. */
     PASSING_BEHIND("passing-behind", "a circle that passes behind a slower rectangle and is hidden for a while",
             Scenes::passingBehind),
+    /** Another pair for each seed. */
+    SIDE_BY_SIDE("side-by-side", "two shapes that touch and part slowly, another pair for each seed",
+            SideBySide::compose),
     /** Three creatures. */
     THREE_WANDERING("three-wandering", "three long bodies that wander at random, turn and reverse, for 6 s",
             Scenes::threeWandering),

@@ -88,9 +88,9 @@ public class SimulateCommandTest {
     @Test
     public void refusesUnknownScenesAndListsTheKnown() {
         assertUsage("unknown scene \"heptagon\"; known are rectangles, hexagon, large-circle, small-circle, pendulum, "
-            + "short-bar, long-bar, two-opposite, three-crossing, four-bars, passing-behind, three-wandering, "
-            + "swinging-ball, wandering-discs, sixteen, textured-pan, textured-roll, textured-zoom, textured-hand, "
-            + "coming-near, textured-movers, flicker, random, noise", "heptagon");
+            + "short-bar, long-bar, two-opposite, three-crossing, four-bars, passing-behind, side-by-side, "
+            + "three-wandering, swinging-ball, wandering-discs, sixteen, textured-pan, textured-roll, textured-zoom, "
+            + "textured-hand, coming-near, textured-movers, flicker, random, noise", "heptagon");
     }
 
     @Test
