@@ -81,8 +81,8 @@ public final class Sofas implements EventLabeller {
 
     /**
      * {@return the upper bound of the memory that an engine holds, in bytes, whatever the events} It is the sum of its
-     * arrays, as large as they may grow. For 240 x 180 px it is 122 MB with the default preset and 275 MB with the
-     * paper's, with 64 track planes; with one, 64 and 44 MB.
+     * arrays, as large as they may grow. For 240 x 180 px it is 123 MB with the default preset and 275 MB with the
+     * paper's, with 64 track planes; with one, 65 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers

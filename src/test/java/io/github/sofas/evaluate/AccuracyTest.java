@@ -157,6 +157,11 @@ public class AccuracyTest {
     }
 
     @Test
+    public void shapesSideBySideThatPartSlowlyAreTwo() {
+        assertReaches(Scene.SIDE_BY_SIDE, PLAIN, 2.14, 0.21, 7.28, 9.38);
+    }
+
+    @Test
     public void edgesThatAreAllButParallelAreNotTakenForOneThatSlidesAlongThem() {
         assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(67), 10.61, 0.38, 12.50, 25.27);
         assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(307), 7.48, 0.46, 12.31, 26.40);

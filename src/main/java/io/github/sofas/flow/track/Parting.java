@@ -2,14 +2,14 @@ package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.fit.MetricFit;
-import io.github.sofas.flow.fit.VelocityTop;
 import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 
 /**
  * Whether a part of a track plane is a body of its own: of its live events, laid on each other along its motion, those
- * that lie apart from the others, if another velocity makes them sharper beyond doubt.
+ * that lie apart from the others, if another velocity makes them sharper beyond doubt; or else one of two bodies that
+ * seem to turn or grow together ({@link TwoBodies}).
  *
  * <p>Ours, because two bodies that moved about alike when they were found, or merged, have one motion from then on that
  * is right for neither, and each measurement finds the best one for both.
@@ -32,7 +32,6 @@ final class Parting {
     private static final double LEAST_FIRST_PX = 0.25;
     /** Events are projected in steps of this part of a pixel. */
     private static final double STEP_PX = 1.0 / 32;
-    private static final int FITS = 3;
     private static final int NOWHERE = -1;
     private static final int NONE = 0;
 
@@ -51,13 +50,15 @@ final class Parting {
     private final SteppedProjection stepped = new SteppedProjection();
     /** The part that was found last. */
     private int found;
-    /** Velocity of the part that was looked at last, besides the structure's; of that which was found, with it. */
-    private double ownVx;
-    private double ownVy;
-    private double vx;
-    private double vy;
+    private final OwnVelocity own = new OwnVelocity();
+    private final TwoBodies two;
+    private boolean areTwo;
+    /** Motions of the part that was found last, and of what is left without it. */
+    private final Motion motionOfPart = new Motion();
+    private final Motion rest = new Motion();
 
     Parting(SensorSize sensor) {
+        two = new TwoBodies(sensor);
         columns = cells(sensor.width());
         rows = cells(sensor.height());
         events = new int[columns * rows];
@@ -72,22 +73,23 @@ final class Parting {
 
     /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
-        return Integer.BYTES * (4L * cells(sensor.width()) * cells(sensor.height()) + LiveEvents.CAPACITY);
+        return Integer.BYTES * (4L * cells(sensor.width()) * cells(sensor.height()) + LiveEvents.CAPACITY)
+            + TwoBodies.bytes(sensor);
     }
 
-    /** Velocity of the part that was found last, in px/s, in the middle of the window of the live events. */
-    double vx() {
-        return vx;
+    /** Motion of the part that was found last, in the middle of the window of the live events. */
+    Motion motionOfPart() {
+        return motionOfPart;
     }
 
-    /** The same, downwards. */
-    double vy() {
-        return vy;
+    /** Motion of the structure without that part. */
+    Motion rest() {
+        return rest;
     }
 
     /** Whether a live event, by its index, is one of the part that was found last. */
     boolean isOfPart(int i) {
-        return found != NONE && isOf(found, i);
+        return areTwo ? two.isOfSmaller(i) : found != NONE && isOf(found, i);
     }
 
     private boolean isOf(int part, int i) {
@@ -100,10 +102,12 @@ final class Parting {
      * @param live the events of the structure, of all tiles
      * @param motion of the structure
      * @param radius of the structure in px
+     * @param mayBeTwo whether rotation and growth are looked at for two bodies, too
      * @return whether there is one
      */
-    boolean find(LiveEvents live, Motion motion, double radius, MetricFit fit) {
+    boolean find(LiveEvents live, Motion motion, double radius, boolean mayBeTwo, MetricFit fit) {
         found = NONE;
+        areTwo = false;
         long windowUs = live.newestUs() - live.oldestUs();
         if (windowUs <= 0) {
             return false;
@@ -123,12 +127,22 @@ final class Parting {
                 if (sigmas > clearest) {
                     clearest = sigmas;
                     found = part;
-                    vx = along.vx + ownVx;
-                    vy = along.vy + ownVy;
+                    motionOfPart.set(along.referenceUs, along.vx + own.vx(), along.vy + own.vy());
                 }
             }
         }
-        return found != NONE;
+        rest.copyFrom(motion);
+        if (found == NONE && mayBeTwo && two.find(live, motion, radius, fit)) {
+            areTwo = true;
+            motionOfPart.copyFrom(two.smaller());
+            rest.copyFrom(two.larger());
+        }
+        return areTwo || found != NONE;
+    }
+
+    /** Whether the structure turned or grew clearly as one body, when it was looked at for two last. */
+    boolean isClearlyOne() {
+        return two.isClearlyOne();
     }
 
     private void begin(LiveEvents live, double radius) {
@@ -203,33 +217,12 @@ final class Parting {
             }
         }
         double common = fit.metric();
-        double own = climb(half, fit);
-        double shift = shiftPx(half);
-        return shift < LEAST_SHIFT_PX || shift > MOST_SHIFT_PX ? 0 : (own - common) / MetricFit.sd(own);
-    }
-
-    private double shiftPx(double half) {
-        return Math.hypot(ownVx, ownVy) * half;
-    }
-
-    /** Goes from the motion of the structure to the top of the metric beside it; returns it. */
-    private double climb(double half, MetricFit fit) {
-        double px = 1 / half; // velocity that shifts both ends of the window by one pixel
-        double metric = 0;
-        ownVx = 0;
-        ownVy = 0;
-        fit.frame(px);
-        for (int i = 0; i < FITS; i++) {
-            VelocityTop top = i == 0 ? fit.fitSlopes(px, MetricFit.FLAT_SIGMAS)
-                : fit.fit(ownVx, ownVy, MetricFit.FLAT_SIGMAS);
-            ownVx += top.stepX();
-            ownVy += top.stepY();
-            metric = top.metric();
-            if (i == 0 && shiftPx(half) < LEAST_FIRST_PX) {
-                return metric;
-            }
-            fit.frame(top, MetricFit.neighbourLoss(metric), px);
+        own.begin(fit, half);
+        if (own.shiftPx(half) < LEAST_FIRST_PX) {
+            return 0;
         }
-        return metric;
+        double metric = own.goOn(fit, half);
+        double shift = own.shiftPx(half);
+        return shift < LEAST_SHIFT_PX || shift > MOST_SHIFT_PX ? 0 : (metric - common) / MetricFit.sd(metric);
     }
 }

@@ -38,6 +38,8 @@ public final class TrackPlane {
     private static final int LOOK_PART = 4;
     /** Travel in px after which it is asked again whether a part is a body of its own. */
     private static final double PARTING_PX = 4;
+    /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
+    private static final int MOST_TO_TWO = 8;
 
     /** What is to be done with a structure. */
     enum State {
@@ -78,6 +80,9 @@ public final class TrackPlane {
     private long lookedUs;
     /** When it was looked for a part last. */
     private long partingUs;
+    /** Times until two bodies are looked for, and from one such time to the next. */
+    private int untilTwo;
+    private int betweenTwo;
 
     TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
         this.sensor = sensor;
@@ -115,6 +120,8 @@ public final class TrackPlane {
         widenedUs = nowUs;
         lookedUs = nowUs;
         partingUs = nowUs;
+        betweenTwo = 1;
+        untilTwo = 1;
     }
 
     /** Gives it its number, under which its motion is told from then on. */
@@ -413,11 +420,14 @@ public final class TrackPlane {
     private void becomeAnother() {
         density.start(live, measurement.lifetimePx());
         sinceMeasured = live.size();
+        betweenTwo = 1;
+        untilTwo = 1;
     }
 
     /**
      * Looks every few px of travel whether a part of the structure is a body of its own. Of a dense structure only some
-     * tiles are known, by which nothing lies apart.
+     * tiles are known, by which nothing lies apart. What clearly turned as one body, or grew, is asked half as often
+     * each time whether it is two: it is always the same, and costs as much as ten measurements.
      *
      * @return whether there is one, which is to be given up to another plane
      */
@@ -426,12 +436,18 @@ public final class TrackPlane {
             return false;
         }
         partingUs = nowUs;
-        return parting.find(live, motion, contour.radius(), fit);
+        boolean mayBeTwo = --untilTwo <= 0 && measurement.isPredictive() && measurement.isSharp();
+        boolean isFound = parting.find(live, motion, contour.radius(), mayBeTwo, fit);
+        if (mayBeTwo) {
+            betweenTwo = parting.isClearlyOne() ? Math.min(MOST_TO_TWO, 2 * betweenTwo) : 1;
+            untilTwo = betweenTwo;
+        }
+        return isFound;
     }
 
     /** Gives the part that was found up to another plane, whose motion is measured from its events. */
     void giveUp(Parting parting, TrackPlane to, MetricFit fit, long nowUs) {
-        to.start(nowUs, parting.vx(), parting.vy());
+        to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             if (parting.isOfPart(i)) {
@@ -440,6 +456,7 @@ public final class TrackPlane {
         }
         to.recentre(fit, nowUs);
         live.keepIf(i -> !parting.isOfPart(i));
+        motion.copyFrom(parting.rest());
         motion.moveReference(nowUs);
         contour.draw(live, motion, lifetimeUs);
         followContour();

@@ -52,7 +52,7 @@ public class PartingTest {
         events.sort((a, b) -> Long.compare(a[0], b[0]));
         events.forEach(e -> live.add((int) e[1], (int) e[2], e[0], 1, claim, 0));
         motion.set(END_US, VX, 0);
-        return parting.find(live, motion, 20, fit);
+        return parting.find(live, motion, 20, true, fit);
     }
 
     private int ofPart(boolean below) {
@@ -70,8 +70,8 @@ public class PartingTest {
         int larger = events.size();
         move(40, 40, SMALL_TOP, 10, 120, 20);
         assertTrue(find(Claim.OWN));
-        assertEquals(120, parting.vx(), 2);
-        assertEquals(20, parting.vy(), 2);
+        assertEquals(120, parting.motionOfPart().vx, 2);
+        assertEquals(20, parting.motionOfPart().vy, 2);
         assertEquals(events.size() - larger, ofPart(true), 5);
         assertEquals(0, ofPart(false));
     }

@@ -1,0 +1,358 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MeetingPicture;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+import java.util.Arrays;
+
+/**
+ * Whether what seems to turn or grow is two bodies side by side that do neither: whether its events meet more often
+ * along two velocities, in each tile along the one that suits it better, than along its motion.
+ *
+ * <p>Ours, because some rotation and growth explain any two velocities side by side, and each measurement confirms
+ * them, as long as the two bodies touch. A body that does turn loses by two velocities: each is right on one line only.
+ */
+final class TwoBodies {
+    /** Side of a tile in px, as a power of two. */
+    private static final int TILE_BITS = 3;
+    /** Room around the sensor for what is moved off it, in tiles. */
+    private static final int MARGIN = 2;
+    /** Shift of the ends of the window by rotation and growth, in px, below which they are too little to explain. */
+    private static final double LEAST_TURN_PX = 0.35;
+    /** Fewest events of a body. */
+    private static final int LEAST_EVENTS = 60;
+    /** Standard deviations that the metric must gain by two velocities. */
+    private static final double SHOWN_SIGMAS = 7;
+    /** By what they shift the ends of the window apart, in px, at least, and at most: farther off are false tops. */
+    private static final double LEAST_APART_PX = 0.5;
+    private static final double MOST_APART_PX = 6;
+    /** Lines through the middle that the events are divided by at first, one after the other. */
+    private static final int LINES = 2;
+    /** How often velocities are measured, and tiles given to the one that suits them better. */
+    private static final int ROUNDS = 3;
+    /** Events are projected in steps of this part of a pixel. */
+    private static final double STEP_PX = 1.0 / 32;
+
+    /** One of the two, with its velocity besides that of the structure's middle. */
+    private static final class Body {
+        private double vx;
+        private double vy;
+        /** How often the events of each tile meet along its velocity. */
+        private final long[] met;
+
+        Body(int tiles) {
+            met = new long[tiles];
+        }
+    }
+
+    private final MeetingPicture picture;
+    private final int columns;
+    private final int rows;
+    // the events that the structure alone claims: place in the middle of the window, time from then in s, and tile
+    private final int[] index = new int[Measurement.MOST_EVENTS];
+    private final float[] x = new float[Measurement.MOST_EVENTS];
+    private final float[] y = new float[Measurement.MOST_EVENTS];
+    private final float[] tau = new float[Measurement.MOST_EVENTS];
+    private final byte[] sign = new byte[Measurement.MOST_EVENTS];
+    private final int[] tile = new int[Measurement.MOST_EVENTS];
+    /** Where they lie in the picture. */
+    private final int[] placeX = new int[Measurement.MOST_EVENTS];
+    private final int[] placeY = new int[Measurement.MOST_EVENTS];
+    private int size;
+    private double middleX;
+    private double middleY;
+    private double radius;
+    private double half;
+    // of each tile: events, how often they meet along the motion, and whether the second body has it
+    private final int[] events;
+    private final long[] met;
+    private final boolean[] isSecond;
+    /** On which side of a line the events of each tile are. */
+    private final int[] side;
+    private final Body first;
+    private final Body second;
+    private int ofSecond;
+    /** Whether any tile was given to the other body by the last measurement. */
+    private boolean changed;
+    /** Motion of the structure in the middle of the window, and the same without rotation and growth. */
+    private final Motion along = new Motion();
+    private final Motion steady = new Motion();
+    private final SteppedProjection stepped = new SteppedProjection();
+    private final OwnVelocity own = new OwnVelocity();
+    private boolean isClearlyOne;
+    // what was found last
+    private final boolean[] isOfSmaller = new boolean[LiveEvents.CAPACITY];
+    private final Motion smaller = new Motion();
+    private final Motion larger = new Motion();
+
+    TwoBodies(SensorSize sensor) {
+        picture = new MeetingPicture(sensor);
+        columns = tiles(sensor.width());
+        rows = tiles(sensor.height());
+        int tiles = columns * rows;
+        events = new int[tiles];
+        met = new long[tiles];
+        isSecond = new boolean[tiles];
+        side = new int[tiles];
+        first = new Body(tiles);
+        second = new Body(tiles);
+    }
+
+    private static int tiles(int px) {
+        return (px - 1 >> TILE_BITS) + 1 + 2 * MARGIN;
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        long tiles = (long) tiles(sensor.width()) * tiles(sensor.height());
+        return MeetingPicture.bytes(sensor) + (7L * Integer.BYTES + 1) * Measurement.MOST_EVENTS + LiveEvents.CAPACITY
+            + (3L * Long.BYTES + 2 * Integer.BYTES + 1) * tiles;
+    }
+
+    /** Whether a live event, by its index, is one of the body with fewer events. */
+    boolean isOfSmaller(int i) {
+        return isOfSmaller[i];
+    }
+
+    /** Whether what was looked at last turned or grew, and two velocities were worse. */
+    boolean isClearlyOne() {
+        return isClearlyOne;
+    }
+
+    /** Motion of the body with fewer events, in the middle of the window of the live events. */
+    Motion smaller() {
+        return smaller;
+    }
+
+    /** Motion of the other one. */
+    Motion larger() {
+        return larger;
+    }
+
+    /**
+     * Looks for two bodies.
+     *
+     * @param live the events of the structure, of all tiles, not all of one time
+     * @param motion of the structure
+     * @param reach radius of the structure in px
+     * @return whether there are two; not of more events than can be measured at once
+     */
+    boolean find(LiveEvents live, Motion motion, double reach, MetricFit fit) {
+        isClearlyOne = false;
+        long windowUs = live.newestUs() - live.oldestUs();
+        half = windowUs * 0.5e-6;
+        along.copyFrom(motion);
+        if (live.size() > Measurement.MOST_EVENTS || turnPx(2 * reach) < LEAST_TURN_PX) {
+            return false;
+        }
+        along.moveReference(live.oldestUs() + windowUs / 2);
+        list(live);
+        lay(live, along, reach);
+        findMiddle();
+        if (size < 2 * LEAST_EVENTS || turnPx(radius) < LEAST_TURN_PX) {
+            return false;
+        }
+        sortByTile();
+        double most = SHOWN_SIGMAS * MetricFit.sd(meet(0, 0, met));
+        steady.copyFrom(along);
+        steady.moveCentre(middleX, middleY);
+        steady.omega = 0;
+        steady.alpha = 0;
+        steady.growth = 0;
+        steady.growthChange = 0;
+        lay(live, steady, reach);
+        boolean found = false;
+        isClearlyOne = true;
+        for (int line = 0; line < LINES; line++) {
+            divide(Math.PI * line / LINES);
+            double gained = part(fit);
+            isClearlyOne &= gained < 0;
+            if (gained > most && areTwo()) {
+                most = gained;
+                found = true;
+                keep();
+            }
+        }
+        return found;
+    }
+
+    /** Shift of the ends of the window by rotation and growth at a distance from the centre, in px. */
+    private double turnPx(double distance) {
+        return Math.hypot(along.omega, along.growth) * distance * half;
+    }
+
+    private void list(LiveEvents live) {
+        size = 0;
+        for (int k = 0; k < live.size(); k++) {
+            int i = live.index(k);
+            if (live.claim(i) == Claim.OWN) {
+                index[size] = i;
+                tau[size] = (live.timeUs[i] - along.referenceUs) * 1e-6f;
+                sign[size] = live.sign[i];
+                size++;
+            }
+        }
+    }
+
+    private void lay(LiveEvents live, Motion motion, double reach) {
+        stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * reach, STEP_PX);
+        for (int k = 0; k < size; k++) {
+            int i = index[k];
+            stepped.advance(live.timeUs[i]);
+            x[k] = (float) stepped.x(live.x[i], live.y[i]);
+            y[k] = (float) stepped.y(live.x[i], live.y[i]);
+        }
+    }
+
+    private void findMiddle() {
+        double sumX = 0;
+        double sumY = 0;
+        double squares = 0;
+        for (int k = 0; k < size; k++) {
+            sumX += x[k];
+            sumY += y[k];
+            squares += (double) x[k] * x[k] + (double) y[k] * y[k];
+        }
+        middleX = sumX / size;
+        middleY = sumY / size;
+        radius = Math.sqrt(Math.max(0, squares / size - middleX * middleX - middleY * middleY));
+    }
+
+    private void sortByTile() {
+        Arrays.fill(events, 0);
+        for (int k = 0; k < size; k++) {
+            int column = Math.max(0, Math.min(columns - 1, ((int) Math.floor(x[k]) >> TILE_BITS) + MARGIN));
+            int row = Math.max(0, Math.min(rows - 1, ((int) Math.floor(y[k]) >> TILE_BITS) + MARGIN));
+            tile[k] = row * columns + column;
+            events[tile[k]]++;
+        }
+    }
+
+    /** Finds how often the events of each tile meet along a velocity; returns the metric of all. */
+    private double meet(double vx, double vy, long[] byTile) {
+        picture.clear();
+        for (int k = 0; k < size; k++) {
+            placeX[k] = MeetingPicture.place(x[k] - vx * tau[k]);
+            placeY[k] = MeetingPicture.place(y[k] - vy * tau[k]);
+            picture.add(placeX[k], placeY[k], sign[k]);
+        }
+        Arrays.fill(byTile, 0);
+        long sum = 0;
+        for (int k = 0; k < size; k++) {
+            long its = picture.met(placeX[k], placeY[k], sign[k]);
+            byTile[tile[k]] += its;
+            sum += its;
+        }
+        return metric(sum);
+    }
+
+    private static double metric(long met) {
+        return Math.scalb((double) met, -MeetingPicture.MET_BITS);
+    }
+
+    /** Gives the tiles on one side of a line through the middle to one body, and the rest to the other. */
+    private void divide(double angle) {
+        double dirX = StrictMath.cos(angle);
+        double dirY = StrictMath.sin(angle);
+        Arrays.fill(side, 0);
+        for (int k = 0; k < size; k++) {
+            side[tile[k]] += (x[k] - middleX) * dirX + (y[k] - middleY) * dirY > 0 ? 1 : -1;
+        }
+        for (int t = 0; t < side.length; t++) {
+            isSecond[t] = side[t] > 0;
+        }
+        begin(first);
+        begin(second);
+    }
+
+    /** Begins with the velocity that rotation and growth give the middle of a body. */
+    private void begin(Body body) {
+        double sumX = 0;
+        double sumY = 0;
+        int its = 0;
+        for (int k = 0; k < size; k++) {
+            if (isOf(body, k)) {
+                sumX += x[k] - middleX;
+                sumY += y[k] - middleY;
+                its++;
+            }
+        }
+        body.vx = (along.growth * sumX - along.omega * sumY) / Math.max(1, its);
+        body.vy = (along.growth * sumY + along.omega * sumX) / Math.max(1, its);
+    }
+
+    private boolean isOf(Body body, int k) {
+        return isSecond[tile[k]] == (body == second);
+    }
+
+    /** Measures the two velocities, and which suits each tile better; returns what the metric gains by them. */
+    private double part(MetricFit fit) {
+        // a first step tells of most of what turns that two velocities are worse, for little
+        double gained = measure(fit, false);
+        boolean changes = true;
+        for (int round = 0; round < ROUNDS && changes && gained > 0; round++) {
+            gained = measure(fit, true);
+            changes = changed;
+        }
+        return gained;
+    }
+
+    private double measure(MetricFit fit, boolean exactly) {
+        measure(first, fit, exactly);
+        measure(second, fit, exactly);
+        changed = false;
+        ofSecond = 0;
+        double gained = 0;
+        for (int t = 0; t < events.length; t++) {
+            boolean suits = second.met[t] > first.met[t];
+            changed |= events[t] > 0 && suits != isSecond[t];
+            isSecond[t] = suits;
+            ofSecond += suits ? events[t] : 0;
+            gained += metric(Math.max(first.met[t], second.met[t]) - met[t]);
+        }
+        return gained;
+    }
+
+    private void measure(Body body, MetricFit fit, boolean exactly) {
+        fit.clear();
+        for (int k = 0; k < size; k++) {
+            if (isOf(body, k)) {
+                fit.add((float) (x[k] - body.vx * tau[k]), (float) (y[k] - body.vy * tau[k]), tau[k], 0, 0, sign[k]);
+            }
+        }
+        if (fit.size() >= Measurement.LEAST_EVENTS) {
+            own.begin(fit, half);
+            if (exactly) {
+                own.goOn(fit, half);
+            }
+            body.vx += own.vx();
+            body.vy += own.vy();
+        }
+        meet(body.vx, body.vy, body.met);
+    }
+
+    /** Whether both have events enough, and velocities that differ, but not so far that one may be a false top. */
+    private boolean areTwo() {
+        double apart = Math.hypot(second.vx - first.vx, second.vy - first.vy) * half;
+        return Math.min(ofSecond, size - ofSecond) >= LEAST_EVENTS && apart >= LEAST_APART_PX
+            && apart <= MOST_APART_PX;
+    }
+
+    private void keep() {
+        Body few = 2 * ofSecond <= size ? second : first;
+        Arrays.fill(isOfSmaller, false);
+        for (int k = 0; k < size; k++) {
+            isOfSmaller[index[k]] = isOf(few, k);
+        }
+        take(few, smaller);
+        take(few == second ? first : second, larger);
+    }
+
+    private void take(Body body, Motion motion) {
+        motion.copyFrom(steady);
+        motion.vx += body.vx;
+        motion.vy += body.vy;
+    }
+}
