@@ -427,7 +427,7 @@ public final class TrackPlane {
     /**
      * Looks every few px of travel whether a part of the structure is a body of its own. Of a dense structure only some
      * tiles are known, by which nothing lies apart. What clearly turned as one body, or grew, is asked half as often
-     * each time whether it is two: it is always the same, and costs as much as ten measurements.
+     * from then on whether it is two: the answer stays the same, and takes as long as several measurements.
      *
      * @return whether there is one, which is to be given up to another plane
      */
