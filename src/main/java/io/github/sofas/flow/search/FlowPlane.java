@@ -222,6 +222,17 @@ public final class FlowPlane {
         return projections.cell(k, events.x(event), events.y(event), events.timeUs(event) - epochUs);
     }
 
+    /** Finds the cells that the events fall on which a projection has the votes of. */
+    void findHeld(int k, HeldCells held) {
+        int ring = k / n;
+        if (oldest[ring] == end[ring]) {
+            held.set(0, 0, 0, 0);
+        } else {
+            projections.findHeld(k, events.timeUs(oldest[ring]) - epochUs, events.timeUs(end[ring] - 1) - epochUs,
+                sensor, held);
+        }
+    }
+
     /** The velocities, and the cells. */
     Projections projections() {
         return projections;

@@ -23,6 +23,8 @@ final class Pieces {
     private final FlowPlane plane;
     private final int n;
     private final int columnBits;
+    /** The cells that are looked through. */
+    private final HeldCells held;
     private final int[] label;
     private final int[] fill;
     private int filled;
@@ -45,6 +47,7 @@ final class Pieces {
         this.plane = plane;
         n = plane.projections().n();
         columnBits = plane.projections().columnBits();
+        held = new HeldCells(1 << columnBits, plane.projections().cells() >> columnBits);
         label = new int[plane.projections().cells()];
         fill = new int[plane.projections().cells()];
     }
@@ -57,6 +60,7 @@ final class Pieces {
      */
     int find(int k, double thresholdSd) {
         plane.catchUp(k / n);
+        plane.findHeld(k, held);
         int pieces = connect(plane.accumulator(k), plane.metric(k), thresholdSd);
         sort(k, pieces);
         for (int i = 0; i < filled; i++) {
@@ -87,7 +91,20 @@ final class Pieces {
         int pieces = 0;
         filled = 0;
         texture.clear();
-        for (int c = 0; c < f.length; c++) {
+        for (int row = 0; row < f.length >> columnBits; row++) {
+            if (held.hasRow(row)) {
+                int c = row << columnBits;
+                pieces = connect(f, c, c + held.untilColumn(), threshold, pieces);
+                pieces = connect(f, c + held.fromColumn(), c + held.endColumn(), threshold, pieces);
+            }
+        }
+        return pieces;
+    }
+
+    /** Numbers the pieces that are found from one cell on until before another, after some; returns the last number. */
+    private int connect(short[] f, int from, int to, int threshold, int known) {
+        int pieces = known;
+        for (int c = from; c < to; c++) {
             if (Math.abs(f[c]) < threshold || label[c] != 0) {
                 continue;
             }
@@ -165,14 +182,16 @@ final class Pieces {
     }
 
     /** Mean + w sd of the occupied cells, whose squares add up to the metric. */
-    private static double threshold(short[] f, long squares, double thresholdSd) {
+    private double threshold(short[] f, long squares, double thresholdSd) {
         long sum = 0;
         int occupied = 0;
-        // without a branch: half of the cells are occupied, here and there
-        for (short value : f) {
-            int v = Math.abs(value);
-            sum += v;
-            occupied += -v >>> Integer.SIZE - 1;
+        for (int row = 0; row < f.length >> columnBits; row++) {
+            if (held.hasRow(row)) {
+                int c = row << columnBits;
+                long both = look(f, c, c + held.untilColumn()) + look(f, c + held.fromColumn(), c + held.endColumn());
+                sum += both >>> Integer.SIZE;
+                occupied += (int) both;
+            }
         }
         if (occupied == 0) {
             return Double.POSITIVE_INFINITY;
@@ -180,6 +199,19 @@ final class Pieces {
         double mean = (double) sum / occupied;
         double sd = Math.sqrt(Math.max(0, (double) squares / occupied - mean * mean));
         return Math.max(LEAST_STRONG, mean + thresholdSd * sd);
+    }
+
+    /** Sum of the counts of cells in the high half, and in the low half how many are occupied. */
+    private static long look(short[] f, int from, int to) {
+        int sum = 0;
+        int occupied = 0;
+        // without a branch: half of the cells are occupied, here and there
+        for (int c = from; c < to; c++) {
+            int v = Math.abs(f[c]);
+            sum += v;
+            occupied += -v >>> Integer.SIZE - 1;
+        }
+        return ((long) sum << Integer.SIZE) + occupied;
     }
 
     /** Sorts the events of a projection by the pieces that they fall on, in order of time. */

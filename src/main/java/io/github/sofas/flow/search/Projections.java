@@ -128,4 +128,31 @@ final class Projections {
         int py = y * VoteBlock.unitsPerPx(rowBits) - vy[k] * ticks;
         return py >>> Integer.SIZE - rowBits << columnBits | px >>> Integer.SIZE - columnBits;
     }
+
+    /**
+     * Finds the cells that events of a sensor fall on in a projection.
+     *
+     * @param fromUs time of the first event from the one at which all projections show the sensor as it is
+     * @param untilUs time of the last event
+     */
+    void findHeld(int k, long fromUs, long untilUs, SensorSize sensor, HeldCells held) {
+        int from = (int) (fromUs >> tickBits[k / n]);
+        int ticks = (int) (untilUs >> tickBits[k / n]) - from;
+        int x = first(vx[k], from, ticks);
+        int y = first(vy[k], from, ticks);
+        held.set(x >>> Integer.SIZE - columnBits, count(x, vx[k], ticks, sensor.width(), columnBits),
+            y >>> Integer.SIZE - rowBits, count(y, vy[k], ticks, sensor.height(), rowBits));
+    }
+
+    /** The least position of the sensor's first pixels, in units of a vote block: it moves against the velocity. */
+    private static int first(int velocity, int fromTick, int ticks) {
+        return -velocity * fromTick - Math.max(0, velocity * ticks);
+    }
+
+    private static int count(int first, int velocity, int ticks, int sensorSide, int bits) {
+        int toCell = Integer.SIZE - bits;
+        long within = first & (1L << toCell) - 1;
+        long units = Math.abs((long) velocity * ticks) + (sensorSide - 1L) * VoteBlock.unitsPerPx(bits);
+        return (int) Math.min(1 << bits, (within + units >> toCell) + 1);
+    }
 }
