@@ -53,6 +53,7 @@ final class Parting {
     private final OwnVelocity own = new OwnVelocity();
     private final TwoBodies two;
     private boolean areTwo;
+    private boolean isClearlyOne;
     /** Motions of the part that was found last, and of what is left without it. */
     private final Motion motionOfPart = new Motion();
     private final Motion rest = new Motion();
@@ -108,6 +109,7 @@ final class Parting {
     boolean find(LiveEvents live, Motion motion, double radius, boolean mayBeTwo, MetricFit fit) {
         found = NONE;
         areTwo = false;
+        isClearlyOne = false;
         long windowUs = live.newestUs() - live.oldestUs();
         if (windowUs <= 0) {
             return false;
@@ -132,17 +134,20 @@ final class Parting {
             }
         }
         rest.copyFrom(motion);
-        if (found == NONE && mayBeTwo && two.find(live, motion, radius, fit)) {
-            areTwo = true;
+        if (found == NONE && mayBeTwo) {
+            areTwo = two.find(live, motion, radius, fit);
+            isClearlyOne = two.isClearlyOne();
+        }
+        if (areTwo) {
             motionOfPart.copyFrom(two.smaller());
             rest.copyFrom(two.larger());
         }
         return areTwo || found != NONE;
     }
 
-    /** Whether the structure turned or grew clearly as one body, when it was looked at for two last. */
+    /** Whether the structure that was looked at last was asked whether it is two, and is clearly one. */
     boolean isClearlyOne() {
-        return two.isClearlyOne();
+        return isClearlyOne;
     }
 
     private void begin(LiveEvents live, double radius) {

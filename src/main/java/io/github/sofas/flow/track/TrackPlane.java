@@ -120,8 +120,7 @@ public final class TrackPlane {
         widenedUs = nowUs;
         lookedUs = nowUs;
         partingUs = nowUs;
-        betweenTwo = 1;
-        untilTwo = 1;
+        askSoonForTwo();
     }
 
     /** Gives it its number, under which its motion is told from then on. */
@@ -420,6 +419,11 @@ public final class TrackPlane {
     private void becomeAnother() {
         density.start(live, measurement.lifetimePx());
         sinceMeasured = live.size();
+        askSoonForTwo();
+    }
+
+    /** Looks for two bodies the next time that it looks for a part. */
+    private void askSoonForTwo() {
         betweenTwo = 1;
         untilTwo = 1;
     }

@@ -48,10 +48,36 @@ public class PartingTest {
         }
     }
 
+    /** Dots of a square of 40 px that turns about its middle, which goes to the right. */
+    private void turn(double omega) {
+        Random random = new Random(1);
+        for (int dot = 0; dot < 150; dot++) {
+            double x0 = 40 * (random.nextDouble() - 0.5);
+            double y0 = 40 * (random.nextDouble() - 0.5);
+            int column = Integer.MIN_VALUE;
+            int row = Integer.MIN_VALUE;
+            for (long t = 0; t < END_US; t += 50) {
+                double angle = omega * 1e-6 * (t - END_US);
+                int x = (int) Math.floor(60 + VX * 1e-6 * (t - END_US) + x0 * Math.cos(angle) - y0 * Math.sin(angle));
+                int y = (int) Math.floor(48 + x0 * Math.sin(angle) + y0 * Math.cos(angle));
+                if (column != Integer.MIN_VALUE && (x != column || y != row)) {
+                    events.add(new long[] {t, x, y});
+                }
+                column = x;
+                row = y;
+            }
+        }
+        motion.omega = omega;
+        motion.centreX = 60;
+        motion.centreY = 48;
+    }
+
     private boolean find(Claim claim) {
         events.sort((a, b) -> Long.compare(a[0], b[0]));
         events.forEach(e -> live.add((int) e[1], (int) e[2], e[0], 1, claim, 0));
+        double omega = motion.omega;
         motion.set(END_US, VX, 0);
+        motion.omega = omega;
         return parting.find(live, motion, 20, true, fit);
     }
 
@@ -126,6 +152,15 @@ public class PartingTest {
         events.add(0, new long[] {0, 40, 40});
         assertFalse(find(Claim.OWN));
         assertEquals(0, ofPart(true) + ofPart(false));
+    }
+
+    @Test
+    public void whatIsNotAskedWhetherItIsTwoIsNotClearlyOne() {
+        turn(3);
+        assertFalse(find(Claim.OWN));
+        assertTrue(parting.isClearlyOne());
+        assertFalse(parting.find(live, motion, 30, false, fit));
+        assertFalse(parting.isClearlyOne());
     }
 
     @Test
