@@ -31,7 +31,7 @@ final class RandomScene {
     }
 
     static World compose(SimulationOptions options) {
-        Random random = new Random(options.seed() * 0x9E3779B97F4A7C15L + 1);
+        Random random = Scenes.random(options);
         double durationS = Scenes.duration(options, DURATION_S);
         int count = 2 + random.nextInt(7);
         List<MovingObject> objects = new ArrayList<>();

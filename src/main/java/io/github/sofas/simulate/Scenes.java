@@ -276,6 +276,11 @@ final class Scenes {
         return options.speedPxPerS() == 0 ? ownPxPerS : options.speedPxPerS();
     }
 
+    /** Draws what a scene is made of: another one for each seed, also where seeds follow each other. */
+    static Random random(SimulationOptions options) {
+        return new Random(options.seed() * 0x9E3779B97F4A7C15L + 1);
+    }
+
     /** The duration asked for, or the scene's own, in s. */
     static double duration(SimulationOptions options, double ownS) {
         return options.durationUs() == 0 ? ownS : options.durationUs() * 1e-6;

@@ -23,7 +23,7 @@ final class SideBySide {
     }
 
     static World compose(SimulationOptions options) {
-        Random random = new Random(options.seed() * 0x9E3779B97F4A7C15L + 1);
+        Random random = Scenes.random(options);
         double durationS = Scenes.duration(options, DURATION_S);
         double speed = 40 + 80 * random.nextDouble();
         double directionRad = 2 * Math.PI * random.nextDouble();

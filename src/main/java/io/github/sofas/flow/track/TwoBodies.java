@@ -291,10 +291,9 @@ final class TwoBodies {
     private double part(MetricFit fit) {
         // a first step tells of most of what turns that two velocities are worse, for little
         double gained = measure(fit, false);
-        boolean changes = true;
-        for (int round = 0; round < ROUNDS && changes && gained > 0; round++) {
+        changed = true;
+        for (int round = 0; round < ROUNDS && changed && gained > 0; round++) {
             gained = measure(fit, true);
-            changes = changed;
         }
         return gained;
     }
