@@ -57,7 +57,7 @@ public class StageTest {
         JavaClasses engine = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
             .importPackages("io.github.sofas.flow");
-        for (String name : new String[] {"search.FlowPlane", "paper.FlowPlane", "search.LoneEvents",
+        for (String name : new String[] {"search.FlowPlane", "paper.FlowPlane",
             "search.StructureSearch", "track.TrackPlane", "paper.TrackPlane"}) {
             assertTrue(name, engine.contain("io.github.sofas.flow." + name));
         }

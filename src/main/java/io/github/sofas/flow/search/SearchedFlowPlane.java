@@ -3,6 +3,7 @@ package io.github.sofas.flow.search;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.LoneEvents;
 
 /**
  * The flow plane, what is kept from it, and the search in it: all that is learnt from the events that no track plane

@@ -1,12 +1,12 @@
-package io.github.sofas.flow.search;
+package io.github.sofas.flow.motion;
 
 import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
  * Tells events that are alone: none of the eight pixels around fired in the time in which even the slowest structure
- * crosses a pixel. They belong to no structure. Ours, because projecting noise n² times is most of the work where
- * little moves.
+ * that is thought of crosses a pixel. They belong to no such structure. Ours, because projecting noise n² times is most
+ * of the work where little moves.
  */
 public final class LoneEvents {
     private static final int TICK_BITS = 10;

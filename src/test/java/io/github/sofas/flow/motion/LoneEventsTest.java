@@ -1,4 +1,4 @@
-package io.github.sofas.flow.search;
+package io.github.sofas.flow.motion;
 
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
