@@ -119,6 +119,16 @@ public class AccuracyTest {
     }
 
     @Test
+    public void inTheDarkMoversDoNotTakeTheNoise() {
+        // five events a second of each pixel, of which the movers would take a third and more
+        SimulationOptions dark = PLAIN.withDvs(PLAIN.dvs().withNoiseHzPerPx(5));
+        assertReaches(Scene.TWO_OPPOSITE, dark, 0.24, 0.02, 8.37, 0.00);
+        assertReaches(Scene.PASSING_BEHIND, dark, 6.51, 1.89, 28.32, 18.35);
+        assertTrue(evaluate(Scene.TWO_OPPOSITE, dark, DEFAULTS).noiseShareWithFlow() <= 0.03);
+        assertTrue(evaluate(Scene.PASSING_BEHIND, dark, DEFAULTS).noiseShareWithFlow() <= 0.03);
+    }
+
+    @Test
     public void otherSensorsAndSizesAreAsRight() {
         SimulationOptions davis346 = PLAIN.withSensor(new SensorSize(346, 260));
         assertReaches(Scene.HEXAGON, davis346.withScale(2).withContrast(0.4).withDirectionDeg(60).withSpeedPxPerS(40),

@@ -20,6 +20,14 @@ final class Candidates {
     private static final int WEAK = 2;
     /** Least trace of a remembered event that another plane may have: noise has none. */
     private static final int LEAST_TRACE = 2;
+    /**
+     * Standard deviations by which the trace of a remembered event must pass that of noise; of one that is not, for
+     * which many motions are asked.
+     */
+    private static final double REMEMBERED_SIGMAS = 3;
+    private static final double OTHER_SIGMAS = 5;
+    /** What noise must be able to have for a remembered event that no other plane may have to need as much. */
+    private static final int DARK_TRACE = 5;
     /** What its trace must be longer by along the motion of a plane that does not remember it. */
     private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
 
@@ -95,15 +103,38 @@ final class Candidates {
      * The plane that has the event where none expects it.
      *
      * @param remembering the plane that remembers its place; null for none
-     * @return null where its edge came along no motion
+     * @param noise how many noise events a pixel gives of either polarity, per µs
+     * @return null where its edge came along no motion, or no farther than noise would
      */
-    TrackPlane unexpected(TrackPlane remembering, PixelHistory history, int x, int y, long timeUs, int polarity) {
-        if (!isOfferedBeside(remembering)) {
+    TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
+                          int polarity) {
+        boolean isBeside = isOfferedBeside(remembering);
+        int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS, x, y, timeUs);
+        if (!isBeside && (least < DARK_TRACE || isBent(remembering, x, y, timeUs))) {
             return remembering;
         }
         int trace = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
-        TrackPlane its = farther(trace + CLEAR_TRACE, remembering, history, x, y, timeUs, polarity);
-        return its == remembering && trace < LEAST_TRACE ? null : its;
+        TrackPlane its = isBeside
+            ? farther(trace + CLEAR_TRACE, remembering, history, x, y, timeUs, polarity) : remembering;
+        if (its == remembering) {
+            return trace < Math.max(LEAST_TRACE, least) ? null : its;
+        }
+        int leastOfOther = noiseTrace(its, noise, OTHER_SIGMAS, x, y, timeUs);
+        return trace + CLEAR_TRACE >= leastOfOther
+            || history.trace(x, y, timeUs, polarity, its.motion()) >= leastOfOther ? its : null;
+    }
+
+    /** Whether the plane's motion changes by half of its speed within a trace: its edge came another way. */
+    private static boolean isBent(TrackPlane plane, int x, int y, long timeUs) {
+        double vx = plane.motion().vxAt(x, y, timeUs);
+        double vy = plane.motion().vyAt(x, y, timeUs);
+        return Math.hypot(plane.motion().ax, plane.motion().ay) * 2 * PixelHistory.TRACE_PX > vx * vx + vy * vy;
+    }
+
+    private static int noiseTrace(TrackPlane plane, double noise, double sigmas, int x, int y, long timeUs) {
+        double vx = plane.motion().vxAt(x, y, timeUs);
+        double vy = plane.motion().vyAt(x, y, timeUs);
+        return Noise.trace(noise, Math.sqrt(vx * vx + vy * vy), sigmas);
     }
 
     private boolean isOfferedBeside(TrackPlane plane) {

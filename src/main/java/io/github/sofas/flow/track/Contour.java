@@ -10,8 +10,9 @@ import io.github.sofas.flow.motion.SteppedProjection;
  * The contour of a track plane: where in its frame its events fell of late (paper, section Track Plane). An event lies
  * on it that has enough support by {@link ContourCells}.
  *
- * <p>Ours: events are let go by sixteenths of the lifetime instead of one by one, and stay where they are when the
- * motion is known a little better. So a label costs the same at any density, and all else is paid per travel.
+ * <p>Ours: events are let go by sixteenths of the time for which they are held, mostly the lifetime, instead of one by
+ * one, and stay where they are when the motion is known a little better. So a label costs the same at any density, and
+ * all else is paid per travel.
  *
  * <p>Longer than other classes, because drawing, anchoring and measuring it share frame and cells.
  */
@@ -155,15 +156,15 @@ final class Contour {
     /**
      * Notes an event on its cell.
      *
-     * @param ageUs how long ago it was, of a lifetime
+     * @param ageUs how long ago it was, of the time for which events are held
      */
-    void add(int x, int y, long timeUs, int polarity, long ageUs, long lifetimeUs) {
+    void add(int x, int y, long timeUs, int polarity, long ageUs, long heldUs) {
         frame.advance(timeUs);
-        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, lifetimeUs));
+        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, heldUs));
     }
 
-    private static int sixteenths(long ageUs, long lifetimeUs) {
-        return (int) Math.min(ContourCells.SIXTEENTHS, ageUs * ContourCells.SIXTEENTHS / Math.max(1, lifetimeUs));
+    private static int sixteenths(long ageUs, long heldUs) {
+        return (int) Math.min(ContourCells.SIXTEENTHS, ageUs * ContourCells.SIXTEENTHS / Math.max(1, heldUs));
     }
 
     /** Notes the event whose support was asked for last, as one of now. */
@@ -171,9 +172,9 @@ final class Contour {
         changedReach |= cells.see(lastX, lastY, polarity, 0);
     }
 
-    /** Lets go what is older than the lifetime. */
-    void fade(long nowUs, long lifetimeUs) {
-        long dueUs = Math.max(1, lifetimeUs / ContourCells.SIXTEENTHS);
+    /** Lets go what is older than the time for which events are held. */
+    void fade(long nowUs, long heldUs) {
+        long dueUs = Math.max(1, heldUs / ContourCells.SIXTEENTHS);
         if (isEmpty()) {
             fadedUs = nowUs;
         }
@@ -225,7 +226,7 @@ final class Contour {
     }
 
     /** Draws the contour anew from the live events, along a motion. */
-    void draw(LiveEvents live, Motion along, long lifetimeUs) {
+    void draw(LiveEvents live, Motion along, long heldUs) {
         wipe();
         frame.anchor(along, radius);
         fadedUs = along.referenceUs;
@@ -237,7 +238,7 @@ final class Contour {
             int i = live.index(k);
             past.advance(live.timeUs[i]);
             cells.see(past.x(live.x[i], live.y[i]), past.y(live.x[i], live.y[i]), live.sign[i],
-                sixteenths(along.referenceUs - live.timeUs[i], lifetimeUs));
+                sixteenths(along.referenceUs - live.timeUs[i], heldUs));
         }
     }
 
@@ -251,8 +252,9 @@ final class Contour {
      * Measures threshold, centre and radius from some of the live events.
      *
      * @param along the motion that the contour follows, with its reference at now
+     * @param noiseSupport support that noise may have
      */
-    void measure(LiveEvents live, Motion along) {
+    void measure(LiveEvents live, Motion along, int noiseSupport) {
         int n = 0;
         long support = 0;
         long closeSupport = 0;
@@ -287,7 +289,7 @@ final class Contour {
             radius = 0;
             return;
         }
-        threshold = Math.max(LEAST_SUPPORT, (int) (SHARE * support / n));
+        threshold = Math.max(Math.max(LEAST_SUPPORT, noiseSupport), (int) (SHARE * support / n));
         sureSupport = SURE_SHARE * closeSupport / n;
         centreX = sumX / n;
         centreY = sumY / n;

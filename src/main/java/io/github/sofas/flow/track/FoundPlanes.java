@@ -21,6 +21,7 @@ public final class FoundPlanes {
     private final List<TrackPlane> unused = new ArrayList<>();
     private SofasParameters.Track p;
     private int room;
+    private double noisePerUs;
 
     FoundPlanes(SensorSize sensor, SofasParameters.Track p, MetricFit fit, MeasuredMotions measured) {
         this.sensor = sensor;
@@ -30,9 +31,15 @@ public final class FoundPlanes {
         spareCells = new Contour.Spare(sensor);
     }
 
-    /** Forgets what was found, and lets so many be found; they are made of these planes first, which it takes. */
-    void open(int most, List<TrackPlane> spare) {
+    /**
+     * Forgets what was found, and lets so many be found.
+     *
+     * @param spare planes that they are made of first, which it takes
+     * @param noise how many noise events a pixel gives of either polarity, per µs
+     */
+    void open(int most, List<TrackPlane> spare, double noise) {
         found.clear();
+        noisePerUs = noise;
         while (!spare.isEmpty()) {
             unused.add(spare.remove(spare.size() - 1));
         }
@@ -75,7 +82,7 @@ public final class FoundPlanes {
     /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
     public TrackPlane create(long nowUs, double vx, double vy) {
         TrackPlane plane = take();
-        plane.start(nowUs, vx, vy);
+        plane.start(nowUs, vx, vy, noisePerUs);
         return plane;
     }
 

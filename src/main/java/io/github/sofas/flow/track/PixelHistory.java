@@ -22,7 +22,7 @@ final class PixelHistory {
     /** Events that are kept of each pixel and polarity. */
     private static final int KEPT = 4;
     /** Speed that a px of travel takes its time from where an edge moves more slowly: what stands has none. */
-    private static final double SLOWEST_PX_PER_S = 1;
+    static final double SLOWEST_PX_PER_S = 1;
 
     /** Ticks are 64 µs: a sixteenth of the time in which 1,000 px/s travel a px. */
     private static final int TICK_BITS = 6;

@@ -41,6 +41,9 @@ public final class TrackPlane {
     /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
     private static final int MOST_TO_TWO = 8;
 
+    /** Part of the lifetime for which the contour holds events at least. */
+    private static final int CONTOUR_PART = 8;
+
     /** What is to be done with a structure. */
     enum State {
         /** It gets its events. */
@@ -73,6 +76,8 @@ public final class TrackPlane {
     private boolean adrift;
 
     private long lifetimeUs;
+    /** How many noise events a pixel gave of either polarity last, per µs. */
+    private double noisePerUs;
     private int sinceMeasured;
     private long measuredUs;
     private long widenedUs;
@@ -99,11 +104,16 @@ public final class TrackPlane {
         return Contour.bytes(sensor) + ((long) Integer.BYTES << memoryBits) + LiveEvents.BYTES;
     }
 
-    /** Begins with the velocity of a new structure, which has no number yet; its events are to be added. */
-    void start(long nowUs, double vx, double vy) {
+    /**
+     * Begins with the velocity of a new structure, which has no number yet; its events are to be added.
+     *
+     * @param noise how many noise events a pixel gives of either polarity, per µs
+     */
+    void start(long nowUs, double vx, double vy, double noise) {
         served++;
         firstUs = nowUs;
         lastUs = nowUs;
+        noisePerUs = noise;
         events = 0;
         state = State.TRACKED;
         adrift = false;
@@ -192,6 +202,11 @@ public final class TrackPlane {
         return lifetimeUs;
     }
 
+    /** Time for which the contour holds events: the lifetime, less where noise would fill it. */
+    private long contourUs() {
+        return Math.min(lifetimeUs, Math.max(lifetimeUs / CONTOUR_PART, Noise.mostUs(noisePerUs)));
+    }
+
     /** How many of the cells around an event the structure was seen on not long ago; 0 where they are too few. */
     int remembered(int x, int y, long timeUs) {
         return memory.remembered(x, y, timeUs);
@@ -199,13 +214,13 @@ public final class TrackPlane {
 
     /** Adds an event of the structure's past, before its motion is measured for the first time. */
     public void addPast(int x, int y, long timeUs, int polarity) {
-        contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), lifetimeUs);
+        contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), contourUs());
         live.add(x, y, timeUs, polarity, Claim.OWN, memory.see(x, y, timeUs));
     }
 
     /** Notes an event of the past on the contour, as one where more are to come. */
     void see(int x, int y, long timeUs, int polarity, long nowUs) {
-        contour.add(x, y, timeUs, polarity, nowUs - timeUs, lifetimeUs);
+        contour.add(x, y, timeUs, polarity, nowUs - timeUs, contourUs());
         memory.see(x, y, timeUs);
     }
 
@@ -228,7 +243,7 @@ public final class TrackPlane {
         }
         int tile;
         if (claim == Claim.REMEMBERED) {
-            contour.add(x, y, timeUs, polarity, 0, lifetimeUs);
+            contour.add(x, y, timeUs, polarity, 0, contourUs());
             tile = memory.tile(x, y, timeUs);
         } else {
             contour.addLast(polarity);
@@ -272,15 +287,20 @@ public final class TrackPlane {
         return true;
     }
 
-    /** Goes to the state that it is in by now: the only place where it changes. */
-    State update(long nowUs) {
+    /**
+     * Goes to the state that it is in by now: the only place where it changes.
+     *
+     * @param noise how many noise events a pixel gives of either polarity, per µs
+     */
+    State update(long nowUs, double noise) {
+        noisePerUs = noise;
         live.expire(nowUs - lifetimeUs);
         if (nowUs - widenedUs > lifetimeUs) {
             // once per lifetime: the events of the tiles that are taken anew are complete only then
             widenedUs = nowUs;
             live.widen();
         }
-        contour.fade(nowUs, lifetimeUs);
+        contour.fade(nowUs, contourUs());
         followDensity(nowUs);
         if (!isStarved()) {
             state = State.TRACKED;
@@ -358,9 +378,9 @@ public final class TrackPlane {
     private void carryOn(long nowUs) {
         motion.moveReference(nowUs);
         if (live.thinning() == 1 && isMovedOff()) {
-            contour.draw(live, motion, lifetimeUs);
+            contour.draw(live, motion, contourUs());
         } else {
-            contour.fade(nowUs, lifetimeUs);
+            contour.fade(nowUs, contourUs());
             contour.follow(motion);
         }
         followContour();
@@ -368,7 +388,7 @@ public final class TrackPlane {
 
     /** Takes centre, lifetime and memory from the contour as it lies now. */
     private void followContour() {
-        contour.measure(live, motion);
+        contour.measure(live, motion, Noise.support(noisePerUs, contourUs()));
         motion.moveCentre(contour.centreX(), contour.centreY());
         lifetimeUs = lifetime();
         memory.follow(motion, memoryUs());
@@ -401,7 +421,7 @@ public final class TrackPlane {
         events += other.events;
         motion.moveReference(nowUs);
         if (live.thinning() == 1) {
-            contour.draw(live, motion, lifetimeUs);
+            contour.draw(live, motion, contourUs());
         } else {
             contour.absorb(other.contour, motion);
         }
@@ -451,7 +471,7 @@ public final class TrackPlane {
 
     /** Gives the part that was found up to another plane, whose motion is measured from its events. */
     void giveUp(Parting parting, TrackPlane to, MetricFit fit, long nowUs) {
-        to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy);
+        to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy, noisePerUs);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             if (parting.isOfPart(i)) {
@@ -462,7 +482,7 @@ public final class TrackPlane {
         live.keepIf(i -> !parting.isOfPart(i));
         motion.copyFrom(parting.rest());
         motion.moveReference(nowUs);
-        contour.draw(live, motion, lifetimeUs);
+        contour.draw(live, motion, contourUs());
         followContour();
         becomeAnother();
     }

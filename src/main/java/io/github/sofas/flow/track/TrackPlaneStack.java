@@ -37,6 +37,7 @@ public final class TrackPlaneStack {
     private TrackPlane forPart;
     private final Doubts doubts;
     private final PixelHistory history;
+    private final NoiseRate noise;
     private final Candidates candidates = new Candidates();
     private final Reaches reaches = new Reaches();
     private int size;
@@ -57,15 +58,16 @@ public final class TrackPlaneStack {
         parting = new Parting(sensor);
         doubts = new Doubts(sensor);
         history = new PixelHistory(sensor);
+        noise = new NoiseRate(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
-        found.open(planes.length, unused);
+        found.open(planes.length, unused, noise.perUs());
     }
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more plane, for a part, and one more ring, for merging
         return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
-            + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor);
+            + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor) + NoiseRate.bytes(sensor);
     }
 
     /**
@@ -92,7 +94,7 @@ public final class TrackPlaneStack {
         if (best == null) {
             best = remembering(x, y, timeUs);
             if (keepsHistory()) {
-                best = candidates.unexpected(best, history, x, y, timeUs, polarity);
+                best = candidates.unexpected(best, history, noise.perUs(), x, y, timeUs, polarity);
             }
             claim = Claim.REMEMBERED;
         } else {
@@ -105,6 +107,7 @@ public final class TrackPlaneStack {
             history.note(x, y, timeUs, polarity);
         }
         if (best == null) {
+            noise.note(x, y, timeUs);
             write(output, i, 0, 0, 0);
             return false;
         }
@@ -161,9 +164,10 @@ public final class TrackPlaneStack {
             return;
         }
         nextCheckUs = nowUs + CHECK_US;
+        noise.goOn(nowUs);
         reaches.forget();
         for (int i = size - 1; i >= 0; i--) {
-            if (planes[i].update(nowUs) == TrackPlane.State.ENDED) {
+            if (planes[i].update(nowUs, noise.perUs()) == TrackPlane.State.ENDED) {
                 end(i, Segment.Fate.REMOVED, 0);
             } else {
                 planes[i].measureIfLate(fit, nowUs);
@@ -246,7 +250,7 @@ public final class TrackPlaneStack {
                 unused.add(found.plane(i));
             }
         }
-        found.open(planes.length - size, unused);
+        found.open(planes.length - size, unused, noise.perUs());
         if (forPart == null && size > 0) {
             forPart = found.take();
         }
@@ -286,7 +290,7 @@ public final class TrackPlaneStack {
         unused.clear();
         forPart = null;
         found.setParameters(p);
-        found.open(planes.length - size, unused);
+        found.open(planes.length - size, unused, noise.perUs());
     }
 
     /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
@@ -304,9 +308,10 @@ public final class TrackPlaneStack {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
         found.reset();
-        found.open(planes.length, unused);
+        found.open(planes.length, unused, noise.perUs());
         doubts.reset();
         history.clear();
+        noise.reset();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }

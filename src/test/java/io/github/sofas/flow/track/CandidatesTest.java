@@ -5,6 +5,7 @@ import static io.github.sofas.flow.track.TrackedEdges.ROWS;
 import static org.junit.Assert.assertEquals;
 
 import java.util.List;
+import java.util.Random;
 import org.junit.Test;
 
 /** Which of the planes of a stack gets an event, and whether the event measures its motion. */
@@ -159,5 +160,30 @@ public class CandidatesTest {
             edges.label(55 + c, 45);
         }
         assertEquals(1, edges.output.segment[0]);
+    }
+
+    /** The plane of an event where plane 1 is remembered, after 200 ms with so many noise events a ms elsewhere. */
+    private int planeOfRemembered(int noisePerMs) {
+        edges.begin(20, 30, 100, 1);
+        edges.begin(60, 30, 100, 1);
+        edges.goOnWithTwo(20, 30, 60, 30, 15);
+        Random random = new Random(1);
+        for (int ms = 1; ms <= 200; ms++) {
+            edges.nowUs += 1_000;
+            for (int i = 0; i < noisePerMs; i++) {
+                // on every other pixel, so that each is alone, and above the edges, which have the rows from 30 to 59
+                assertEquals(0, edges.label(2 * random.nextInt(64), 2 * random.nextInt(12)));
+            }
+            edges.stack.check(edges.nowUs);
+        }
+        return edges.label(55, 45);
+    }
+
+    @Test
+    public void rememberedEventNeedsATraceThatNoiseHasNotInTheDarkOnly() {
+        assertEquals(1, planeOfRemembered(0));
+        edges.stack.reset();
+        // in the mean of the sensor 10 Hz a pixel
+        assertEquals(0, planeOfRemembered(128));
     }
 }

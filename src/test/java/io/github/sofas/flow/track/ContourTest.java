@@ -248,7 +248,7 @@ public class ContourTest {
                 live.add(middle - 4 + i % 9, 36 + i / 9, 0, 1, Claim.OWN, 0);
             }
         }
-        contour.measure(live, motion);
+        contour.measure(live, motion, 0);
         // 20² between the middles and the centre, and (9² - 1) / 12 along each axis of a block
         assertEquals(Math.sqrt(400 + 2 * 80 / 12.0), contour.radius(), 0.01);
     }
@@ -353,7 +353,7 @@ public class ContourTest {
             contour.add(place[0], place[1], place[2], 1, 0, 1);
         }
         followTo(30_000);
-        contour.measure(live(places), motion);
+        contour.measure(live(places), motion, 0);
         // 3 px on; each corner is 5 px off along both axes
         assertEquals(28, contour.centreX(), 0.1);
         assertEquals(25, contour.centreY(), 0.1);
@@ -372,12 +372,12 @@ public class ContourTest {
         }
         assertEquals(4, contour.threshold());
         assertTrue("nothing is sure before it was measured", contour.sureSupport() > 32);
-        contour.measure(live, motion);
+        contour.measure(live, motion, 0);
         assertEquals(5, contour.threshold());
         assertEquals(12, contour.sureSupport(), 1e-9);
         // never less than two sixteenths
         contour.draw(live(new int[] {30, 20, 0}), motion, LIFETIME_US);
-        contour.measure(live(new int[] {30, 20, 0}), motion);
+        contour.measure(live(new int[] {30, 20, 0}), motion, 0);
         assertEquals(4, contour.threshold());
     }
 

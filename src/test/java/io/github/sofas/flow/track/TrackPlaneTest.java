@@ -34,7 +34,7 @@ public class TrackPlaneTest {
     private void start(int firstColumn) {
         nowUs = 1_000_000;
         column = firstColumn;
-        plane.start(nowUs + 3 * COLUMN_US, 100, 0);
+        plane.start(nowUs + 3 * COLUMN_US, 100, 0, 0);
         for (int c = 0; c < 3; c++) {
             for (int y = 0; y < ROWS; y++) {
                 plane.addPast(column, 30 + y, nowUs, 1);
@@ -64,9 +64,9 @@ public class TrackPlaneTest {
             }
             column++;
             nowUs += COLUMN_US / 2;
-            plane.update(nowUs);
+            plane.update(nowUs, 0);
             nowUs += COLUMN_US / 2;
-            state = plane.update(nowUs);
+            state = plane.update(nowUs, 0);
         }
         return state;
     }
@@ -81,7 +81,7 @@ public class TrackPlaneTest {
     /** Waits without events, looking each 5 ms, until it is in another state; returns for how long. */
     private long waitedWhile(State state) {
         long fromUs = nowUs;
-        while (plane.update(nowUs) == state && nowUs - fromUs < 10_000_000) {
+        while (plane.update(nowUs, 0) == state && nowUs - fromUs < 10_000_000) {
             nowUs += COLUMN_US / 2;
         }
         return nowUs - fromUs;
@@ -109,7 +109,7 @@ public class TrackPlaneTest {
         start(20);
         assertEquals(State.TRACKED, goOn(6));
         waitedWhile(State.TRACKED);
-        assertEquals(State.ENDED, plane.update(nowUs));
+        assertEquals(State.ENDED, plane.update(nowUs, 0));
     }
 
     @Test
@@ -119,9 +119,9 @@ public class TrackPlaneTest {
         // starved when less than 0.3 of the usual events are left of a lifetime
         long trackedUs = waitedWhile(State.TRACKED);
         assertTrue(trackedUs > 0 && trackedUs <= plane.lifetimeUs());
-        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
         assertEquals(64 / plane.motion().speed(ROWS / Math.sqrt(12)) * 1e6, waitedWhile(State.WAITED_FOR), 20_000);
-        assertEquals(State.ENDED, plane.update(nowUs));
+        assertEquals(State.ENDED, plane.update(nowUs, 0));
     }
 
     @Test
@@ -132,7 +132,7 @@ public class TrackPlaneTest {
         // hidden for 200 ms in all, in which it goes on by 20 px
         while (nowUs < 1_350_000) {
             nowUs += COLUMN_US;
-            assertEquals(State.WAITED_FOR, plane.update(nowUs));
+            assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
         }
         column = 20 + 35;
         assertTrue(plane.remembered(column, 45, nowUs) > 0);
@@ -146,13 +146,13 @@ public class TrackPlaneTest {
         goOn(10);
         long first = waitedWhile(State.TRACKED);
         nowUs += 400_000;
-        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
         column += (int) ((first + 400_000) / COLUMN_US);
         assertEquals(State.TRACKED, goOn(6));
         waitedWhile(State.TRACKED);
         // 400 ms of the first time are not counted
         nowUs += 400_000;
-        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
     }
 
     @Test
@@ -161,7 +161,7 @@ public class TrackPlaneTest {
         start(107);
         assertEquals(State.TRACKED, goOn(17));
         long endUs = nowUs + waitedWhile(State.TRACKED);
-        assertEquals(State.ENDED, plane.update(endUs));
+        assertEquals(State.ENDED, plane.update(endUs, 0));
     }
 
     @Test
@@ -175,7 +175,7 @@ public class TrackPlaneTest {
                 take(25 + random.nextInt(20), 30 + random.nextInt(ROWS), nowUs + k * 300, 1, Claim.OWN);
             }
             nowUs += COLUMN_US;
-            state = plane.update(nowUs);
+            state = plane.update(nowUs, 0);
         }
         assertEquals(State.ENDED, state);
     }
@@ -201,7 +201,7 @@ public class TrackPlaneTest {
             }
             column++;
             nowUs += COLUMN_US;
-            state = plane.update(nowUs);
+            state = plane.update(nowUs, 0);
         }
         return state;
     }
@@ -253,7 +253,7 @@ public class TrackPlaneTest {
     public void contourIsDrawnAnewWhereTheMotionWasCorrected() {
         // found at 60 px/s, which leaves the three columns 0.8 px apart in its frame
         nowUs = 1_000_000;
-        plane.start(nowUs + 2 * COLUMN_US, 60, 0);
+        plane.start(nowUs + 2 * COLUMN_US, 60, 0, 0);
         for (int c = 0; c < 6; c++) {
             for (int y = 0; y < ROWS; y++) {
                 plane.addPast(20 + c, 30 + y, nowUs, 1);
@@ -295,7 +295,7 @@ public class TrackPlaneTest {
             long stepUs = Math.round(1e6 / speed);
             speed += c < 22 ? accelerationPxPerS2 * stepUs * 1e-6 : 0;
             nowUs += stepUs;
-            plane.update(nowUs);
+            plane.update(nowUs, 0);
         }
     }
 
@@ -303,14 +303,14 @@ public class TrackPlaneTest {
     public void tellsNothingOnceItGetsFewEventsAtAVelocityThatWasNotMeasured() {
         // 100 to 46 px/s: what changes by as much is waited for at other speeds
         changeSpeedAndThin(-180);
-        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
         assertFalse(plane.isPredictive());
     }
 
     @Test
     public void tellsOnWhatGetsFewEventsAtItsSteadyVelocity() {
         changeSpeedAndThin(0);
-        assertEquals(State.WAITED_FOR, plane.update(nowUs));
+        assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
         assertTrue(plane.isPredictive());
     }
 
@@ -318,7 +318,7 @@ public class TrackPlaneTest {
     public void contourThatGaveUpAPartHasTheNewestEvents() {
         // two textures, apart, of which the second is faster by 60 px/s
         double[] at = new Random(3).doubles(400, 0, 20).toArray();
-        plane.start(0, 100, 0);
+        plane.start(0, 100, 0, 0);
         for (long t = -100_000; t <= 0; t += 100) {
             for (int dot = 0; dot < 200; dot++) {
                 double vx = (dot % 4 == 0 ? 160 : 100) * 1e-6;
