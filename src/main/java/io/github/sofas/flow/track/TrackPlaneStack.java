@@ -7,6 +7,7 @@ import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.MeasuredMotions;
+import io.github.sofas.flow.motion.NoiseRate;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,4 +1,4 @@
-package io.github.sofas.flow.track;
+package io.github.sofas.flow.motion;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;

@@ -1,13 +1,12 @@
-package io.github.sofas.flow.track;
+package io.github.sofas.flow.motion;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.motion.LoneEvents;
 
 /**
- * How often a pixel gives noise: events that no track plane explains and that are alone, as those of a structure that
+ * How often a pixel gives noise: events that nothing explains and that are alone, as those of a structure that
  * is not tracked yet seldom are.
  */
-final class NoiseRate {
+public final class NoiseRate {
     /** Time of which it is a mean, fading: noise changes with the light. */
     private static final double MEAN_US = 300_000;
     /** An event is alone that has none around it within this time. */
@@ -25,26 +24,27 @@ final class NoiseRate {
     private double alonePerUs;
     private double perUs;
 
-    NoiseRate(SensorSize sensor) {
+    /** Makes one that knows of no events yet. */
+    public NoiseRate(SensorSize sensor) {
         // ON and OFF apart
         pixels = 2.0 * sensor.width() * sensor.height();
         unexplained = new LoneEvents(sensor.width(), sensor.height(), 1e6 / ALONE_US);
     }
 
     /** Bytes of its array. */
-    static long bytes(SensorSize sensor) {
+    public static long bytes(SensorSize sensor) {
         return LoneEvents.bytes(sensor);
     }
 
-    /** Notes an event that no plane explains. */
-    void note(int x, int y, long timeUs) {
+    /** Notes an event that nothing explains. */
+    public void note(int x, int y, long timeUs) {
         if (unexplained.isAlone(x, y, timeUs)) {
             alone++;
         }
     }
 
     /** Goes on to a time. */
-    void goOn(long nowUs) {
+    public void goOn(long nowUs) {
         double us = nowUs - sinceUs;
         if (started && us > 0) {
             alonePerUs += (alone / (us * pixels) - alonePerUs) * us / (us + MEAN_US);
@@ -56,12 +56,12 @@ final class NoiseRate {
     }
 
     /** How many noise events a pixel gives of either polarity, per µs. */
-    double perUs() {
+    public double perUs() {
         return perUs;
     }
 
     /** Forgets all events. */
-    void reset() {
+    public void reset() {
         unexplained.reset();
         alone = 0;
         started = false;
