@@ -27,6 +27,12 @@ final class Competition {
     private static final double LEAST = 7;
     /** The same of one that the engine gave to a segment. */
     private static final double LEAST_LABELLED = 5.4;
+    /**
+     * Standard deviations by which a claim must pass that of noise, where that is more; and that of the segment which
+     * the engine gave the event to.
+     */
+    private static final double NOISE_SIGMAS = 4;
+    private static final double LABELLED_SIGMAS = 2.5;
     /** More than any claim. */
     private static final double MOST = 8 * SIDE_PARTS;
     /** What the label that it has adds to a claim. */
@@ -66,6 +72,9 @@ final class Competition {
     private long fromUs;
     /** The parts of its time that the recording has. */
     private long recorded;
+    /** Claims that noise seldom has there; of the segment that the engine gave an event to. */
+    private double least;
+    private double leastLabelled;
     private double left;
     private double top;
     private double right;
@@ -233,6 +242,9 @@ final class Competition {
         for (int k = index + 1; k < slices.size() && slices.get(k).fromUs < b + sideUs; k++) {
             add(slices.get(k), slices.get(index), b + sideUs);
         }
+        double noise = slices.get(index).noisePerUs * partUs;
+        least = NOBODYS * TraceMap.byNoise(noise, 2 * SIDE_PARTS, NOISE_SIGMAS);
+        leastLabelled = PRIOR + NOBODYS * TraceMap.byNoise(noise, 2 * SIDE_PARTS, LABELLED_SIGMAS);
         ask(path, slices.get(index), a, b, shows);
     }
 
@@ -334,7 +346,7 @@ final class Competition {
                 score = shows ? score + PRIOR : MOST + PRIOR;
             }
             int i = (int) (event - slice.from);
-            if (score > claim[i]) {
+            if (score > claim[i] && score > (isOwn ? leastLabelled : least)) {
                 claim[i] = score;
                 winner[i] = path.id();
             }

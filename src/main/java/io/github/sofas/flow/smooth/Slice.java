@@ -24,6 +24,8 @@ final class Slice {
     final long untilUs;
     final long from;
     final long until;
+    /** How many noise events a pixel gave of either polarity, per µs. */
+    final double noisePerUs;
     private final int columns;
     private final int rows;
     /** Events from the slice's first one on, by tile; when each happened, in µs since the slice began, and where. */
@@ -37,7 +39,8 @@ final class Slice {
     private boolean isStale;
     private SegmentEvents bySegment;
 
-    Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs) {
+    Slice(EventWindow window, SensorSize sensor, long from, long fromUs, long untilUs, double noisePerUs) {
+        this.noisePerUs = noisePerUs;
         this.fromUs = fromUs;
         this.untilUs = untilUs;
         this.from = from;

@@ -5,6 +5,7 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.NoiseRate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -38,6 +39,7 @@ public final class Smoother {
     private final List<Slice> slices = new ArrayList<>();
     /** By rising id, so that the order does not depend on hashes. */
     private final Map<Integer, SegmentPath> paths = new TreeMap<>();
+    private final NoiseRate noise;
     private final Competition competition;
     private final CentredFit fit;
     private final PathAlignment alignment;
@@ -62,6 +64,7 @@ public final class Smoother {
     public Smoother(SensorSize sensor, SofasParameters.Track p, long lookAheadUs) {
         this.sensor = sensor;
         sliceUs = SliceClock.sliceUs(lookAheadUs);
+        noise = new NoiseRate(sensor);
         competition = new Competition(sensor, window, labels);
         fit = new CentredFit(sensor, window, p);
         alignment = new PathAlignment(sensor, window);
@@ -77,7 +80,8 @@ public final class Smoother {
         int mostEvents = (KEPT + 1) * MOST_EVENTS;
         return EventWindow.mostBytes(mostEvents) + (KEPT + 1) * Slice.mostBytes(sensor, MOST_EVENTS)
             + Competition.mostBytes(sensor, MOST_EVENTS) + CentredFit.bytes(sensor) + 2 * Picture.bytes(sensor)
-            + PathAlignment.bytes(sensor) + WarpLoss.bytes(sensor) + (long) BYTES_PER_EVENT * mostEvents;
+            + PathAlignment.bytes(sensor) + WarpLoss.bytes(sensor) + NoiseRate.bytes(sensor)
+            + (long) BYTES_PER_EVENT * mostEvents;
     }
 
     private int events() {
@@ -169,6 +173,8 @@ public final class Smoother {
         int id = labels.path(causal.segment[i]);
         if (id != 0) {
             path(id).see(newestUs);
+        } else if (sensor.contains(batch.x[i], batch.y[i])) {
+            noise.note(batch.x[i], batch.y[i], newestUs);
         }
         int k = window.add(newestUs, batch.timeUs[i], batch.x[i], batch.y[i], batch.polarity[i]);
         window.give(k, id, labels.ofPath(id));
@@ -192,7 +198,9 @@ public final class Smoother {
     }
 
     private void endSlice(long untilUs) {
-        slices.add(new Slice(window, sensor, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1)));
+        noise.goOn(untilUs);
+        slices.add(new Slice(window, sensor, sliceFrom, sliceFromUs, Math.max(untilUs, sliceFromUs + 1),
+            noise.perUs()));
         sliceFrom = window.end();
         sliceFromUs = untilUs;
         knowAgain();

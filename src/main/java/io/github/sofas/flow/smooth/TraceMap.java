@@ -18,6 +18,8 @@ final class TraceMap {
 
     /** What an event counts on the nearest pixel, above the 1 that it counts within a pixel. */
     private static final int NEAREST = 2;
+    /** Pixels around a place on one of which an event counts. */
+    private static final int AROUND = 4;
     /** Pixels around the sensor. */
     private static final int BORDER = 8;
     private static final long ALL = (1L << PARTS) - 1;
@@ -101,6 +103,21 @@ final class TraceMap {
         long free = known >> PARTS & wanted & ~own;
         long taken = known >> 2 * PARTS & wanted & ~own & ~free;
         return Long.bitCount(own) + nobodys * Long.bitCount(free) + others * Long.bitCount(taken);
+    }
+
+    /**
+     * Score of so many parts that noise seldom has: 1 for a part in which it lies on one of four pixels, and
+     * {@value #NEAREST} more where it lies on the nearest. An expectation of m is taken to happen by m / (1 + m).
+     *
+     * @param expected noise events of a pixel and polarity in a part of the time
+     * @param sigmas standard deviations over the mean
+     */
+    static double byNoise(double expected, int parts, double sigmas) {
+        double around = AROUND * expected / (1 + AROUND * expected);
+        double nearest = expected / (1 + expected);
+        double mean = around + NEAREST * nearest;
+        double square = around + ((1 + NEAREST) * (1 + NEAREST) - 1) * nearest;
+        return parts * mean + sigmas * Math.sqrt(parts * (square - mean * mean));
     }
 
     /** The parts from one on to before another. */

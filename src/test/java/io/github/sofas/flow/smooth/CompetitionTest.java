@@ -22,6 +22,7 @@ public class CompetitionTest {
     private final Competition competition = new Competition(SENSOR, window, new Labels());
     private final List<Slice> slices = new ArrayList<>();
     private final List<SegmentPath> paths = new ArrayList<>();
+    private double noisePerUs;
 
     private void addPath(int id, double vx, double startX) {
         Motion motion = new Motion();
@@ -45,7 +46,7 @@ public class CompetitionTest {
             }
             if ((c + 1) * COLUMN_US % SLICE_US == 0) {
                 long us = (c + 1) * COLUMN_US;
-                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us));
+                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us, noisePerUs));
                 from = window.end();
             }
         }
@@ -89,7 +90,7 @@ public class CompetitionTest {
         // as they were found later
         List<Slice> found = new ArrayList<>();
         for (Slice slice : slices) {
-            found.add(new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs));
+            found.add(new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs, 0));
         }
         slices.clear();
         slices.addAll(found);
@@ -109,7 +110,7 @@ public class CompetitionTest {
         }
         for (int k = 0; k < 3; k++) {
             Slice slice = slices.get(k);
-            slices.set(k, new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs));
+            slices.set(k, new Slice(until(slice.until), SENSOR, slice.from, slice.fromUs, slice.untilUs, 0));
             assertFalse(slices.get(k).isOpen(0));
         }
         for (int k = slices.size() - 1; k >= 0; k--) {
@@ -142,7 +143,7 @@ public class CompetitionTest {
             int id = 1 + (int) (i & 1);
             window.give(window.at(i), id, id);
         }
-        slices.add(new Slice(window, SENSOR, before, 0, SLICE_US));
+        slices.add(new Slice(window, SENSOR, before, 0, SLICE_US, noisePerUs));
         // eight parts of a column each
         competition.decide(slices, 0, paths, 80_000, isAll);
         return countOf(1, 0) + countOf(2, 1);
@@ -161,6 +162,24 @@ public class CompetitionTest {
     }
 
     @Test
+    public void claimThatNoiseMayHaveIsNotEnoughInTheDark() {
+        // a quarter of an event in each part: 22.8 of nobody's noise, more than 2.75 times 4.2
+        noisePerUs = 0.25 / COLUMN_US;
+        assertEquals(0, labelledOfThreeColumns(true));
+    }
+
+    @Test
+    public void edgesAreTheirSegmentsInTheDark() {
+        // each event meets its edge in nearly all of 16 parts, which counts 3 each
+        noisePerUs = 0.25 / COLUMN_US;
+        film(40, 1, 2);
+        competition.decide(slices, 3, paths, 100_000, false);
+        for (long i = slices.get(3).from; i < slices.get(3).until; i++) {
+            assertEquals(1 + (int) (i & 1), window.segment[window.at(i)]);
+        }
+    }
+
+    @Test
     public void eventThatNoMotionExplainsIsNoise() {
         film(30, 1, 2);
         int noise = 0;
@@ -171,7 +190,7 @@ public class CompetitionTest {
             window.give(k, 1, 1);
         }
         slices.set(3, new Slice(until(slices.get(3).until), SENSOR, slices.get(3).from,
-            slices.get(3).fromUs, slices.get(3).untilUs));
+            slices.get(3).fromUs, slices.get(3).untilUs, 0));
         competition.decide(slices, 3, paths, 100_000, false);
         int without = 0;
         for (long i = slices.get(3).from; i < slices.get(3).until; i += 10) {

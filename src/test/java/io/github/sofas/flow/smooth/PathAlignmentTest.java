@@ -38,7 +38,7 @@ public class PathAlignmentTest {
             }
             if ((px + 1) * PX_US % SLICE_US == 0) {
                 long us = (px + 1) * PX_US;
-                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us));
+                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us, 0));
                 from = window.end();
             }
         }
@@ -94,7 +94,7 @@ public class PathAlignmentTest {
         for (int k = 0; k < 50; k++) {
             window.give(window.add(k * 1000, 0, 20 + k % 7, 20, 1), 1, 1);
         }
-        slices.add(new Slice(window, SENSOR, 0, 0, SLICE_US));
+        slices.add(new Slice(window, SENSOR, 0, 0, SLICE_US, 0));
         knot(0, 100);
         bendAll();
         assertEquals(100, vx(25_000), 0);

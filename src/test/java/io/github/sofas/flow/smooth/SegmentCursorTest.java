@@ -21,7 +21,7 @@ public class SegmentCursorTest {
         for (int k = 0; k < 20; k++) {
             window.give(window.add(10_000L * k, 0, 1, 1, 1), 1 + k % 2, 1 + k % 2);
             if (k % 5 == 4) {
-                slices.add(new Slice(window, SENSOR, from, 10_000L * (k - 4), 10_000L * (k + 1)));
+                slices.add(new Slice(window, SENSOR, from, 10_000L * (k - 4), 10_000L * (k + 1), 0));
                 from = window.end();
             }
         }

@@ -92,7 +92,7 @@ public class SegmentPathTest {
         EventWindow window = new EventWindow();
         window.give(window.add(300_000, 0, 20, 10, 1), 1, 1);
         window.give(window.add(400_000, 0, 60, 10, 1), 1, 1);
-        return new Slice(window, new SensorSize(96, 64), 0, 250_000, 750_000);
+        return new Slice(window, new SensorSize(96, 64), 0, 250_000, 750_000, 0);
     }
 
     @Test

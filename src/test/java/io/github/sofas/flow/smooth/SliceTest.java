@@ -27,7 +27,7 @@ public class SliceTest {
     }
 
     private Slice slice() {
-        return new Slice(window, SENSOR, 0, 0, nowUs);
+        return new Slice(window, SENSOR, 0, 0, nowUs, 0);
     }
 
     @Test

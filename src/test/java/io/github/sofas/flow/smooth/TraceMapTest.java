@@ -63,4 +63,13 @@ public class TraceMapTest {
         assertEquals(0b11, TraceMap.parts(-4, 2));
         assertEquals(1L << TraceMap.PARTS - 1, TraceMap.parts(TraceMap.PARTS - 1, TraceMap.PARTS + 9));
     }
+
+    @Test
+    public void noiseScoresByChance() {
+        // a quarter of an event of each pixel: 1 / 2 of the parts have one on four pixels, 0.25 / 1.25 on the nearest.
+        // Mean 0.5 + 2 * 0.2, square 0.5 + (9 - 1) * 0.2, so 16 parts have 14.4 and a variance of 16 * (2.1 - 0.81)
+        assertEquals(14.4, TraceMap.byNoise(0.25, 16, 0), EXACT);
+        assertEquals(14.4 + 2 * Math.sqrt(20.64), TraceMap.byNoise(0.25, 16, 2), EXACT);
+        assertEquals(0, TraceMap.byNoise(0, 16, 5), EXACT);
+    }
 }

@@ -30,7 +30,7 @@ public class WarpLossTest {
             }
             if ((c + 1) * COLUMN_US % SLICE_US == 0) {
                 long us = (c + 1) * COLUMN_US;
-                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us));
+                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us, 0));
                 from = window.end();
             }
         }
