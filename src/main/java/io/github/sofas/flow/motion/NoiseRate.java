@@ -3,8 +3,8 @@ package io.github.sofas.flow.motion;
 import io.github.sofas.event.SensorSize;
 
 /**
- * How often a pixel gives noise: events that nothing explains and that are alone, as those of a structure that
- * is not tracked yet seldom are.
+ * How often a pixel gives noise: events that nothing explains and that are alone, as those of a structure that is not
+ * tracked yet seldom are.
  */
 public final class NoiseRate {
     /** Time of which it is a mean, fading: noise changes with the light. */

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Chance;
 import java.util.Arrays;
 
 /**
@@ -107,17 +108,17 @@ final class TraceMap {
 
     /**
      * Score of so many parts that noise seldom has: 1 for a part in which it lies on one of four pixels, and
-     * {@value #NEAREST} more where it lies on the nearest. An expectation of m is taken to happen by m / (1 + m).
+     * {@value #NEAREST} more where it lies on the nearest.
      *
      * @param expected noise events of a pixel and polarity in a part of the time
      * @param sigmas standard deviations over the mean
      */
     static double byNoise(double expected, int parts, double sigmas) {
-        double around = AROUND * expected / (1 + AROUND * expected);
-        double nearest = expected / (1 + expected);
+        double around = Chance.share(AROUND * expected);
+        double nearest = Chance.share(expected);
         double mean = around + NEAREST * nearest;
         double square = around + ((1 + NEAREST) * (1 + NEAREST) - 1) * nearest;
-        return parts * mean + sigmas * Math.sqrt(parts * (square - mean * mean));
+        return Chance.most(parts, mean, square, sigmas);
     }
 
     /** The parts from one on to before another. */

@@ -108,14 +108,12 @@ final class Candidates {
      */
     TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
                           int polarity) {
-        boolean isBeside = isOfferedBeside(remembering);
         int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS, x, y, timeUs);
-        if (!isBeside && (least < DARK_TRACE || isBent(remembering, x, y, timeUs))) {
+        if (!isOfferedBeside(remembering) && (least < DARK_TRACE || isBent(remembering, x, y, timeUs))) {
             return remembering;
         }
         int trace = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
-        TrackPlane its = isBeside
-            ? farther(trace + CLEAR_TRACE, remembering, history, x, y, timeUs, polarity) : remembering;
+        TrackPlane its = farther(trace + CLEAR_TRACE, remembering, history, x, y, timeUs, polarity);
         if (its == remembering) {
             return trace < Math.max(LEAST_TRACE, least) ? null : its;
         }
@@ -126,15 +124,18 @@ final class Candidates {
 
     /** Whether the plane's motion changes by half of its speed within a trace: its edge came another way. */
     private static boolean isBent(TrackPlane plane, int x, int y, long timeUs) {
-        double vx = plane.motion().vxAt(x, y, timeUs);
-        double vy = plane.motion().vyAt(x, y, timeUs);
-        return Math.hypot(plane.motion().ax, plane.motion().ay) * 2 * PixelHistory.TRACE_PX > vx * vx + vy * vy;
+        return Math.hypot(plane.motion().ax, plane.motion().ay) * 2 * PixelHistory.TRACE_PX
+            > squareSpeed(plane, x, y, timeUs);
     }
 
     private static int noiseTrace(TrackPlane plane, double noise, double sigmas, int x, int y, long timeUs) {
+        return Noise.trace(noise, Math.sqrt(squareSpeed(plane, x, y, timeUs)), sigmas);
+    }
+
+    private static double squareSpeed(TrackPlane plane, int x, int y, long timeUs) {
         double vx = plane.motion().vxAt(x, y, timeUs);
         double vy = plane.motion().vyAt(x, y, timeUs);
-        return Noise.trace(noise, Math.sqrt(vx * vx + vy * vy), sigmas);
+        return vx * vx + vy * vy;
     }
 
     private boolean isOfferedBeside(TrackPlane plane) {

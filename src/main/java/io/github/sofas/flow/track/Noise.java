@@ -1,5 +1,7 @@
 package io.github.sofas.flow.track;
 
+import io.github.sofas.flow.motion.Chance;
+
 /**
  * What noise alone gives by chance, where the pixels of a polarity fire at some rate: support by a contour, and a trace
  * along a motion.
@@ -7,9 +9,6 @@ package io.github.sofas.flow.track;
  * <p>Ours, because a contour that takes noise supports more of it, and in the dark, at a few events per second and
  * pixel, grows from a structure all over the sensor. What a share of the structure's own support tells apart from noise
  * in good light does not where noise is about as dense as an edge.
- *
- * <p>How often something happens that has an expectation of m is taken for m / (1 + m), which is below the 1 - exp(-m)
- * of a Poisson process by a tenth at most for what is told apart here, and the same on each machine.
  */
 final class Noise {
     /** Cells that support an event. */
@@ -36,7 +35,7 @@ final class Noise {
      * @param us time for which the contour holds events
      */
     static int support(double rate, long us) {
-        double sixteenths = ContourCells.SIXTEENTHS * share(CELLS * rate * us / ContourCells.SIXTEENTHS);
+        double sixteenths = ContourCells.SIXTEENTHS * Chance.share(CELLS * rate * us / ContourCells.SIXTEENTHS);
         // 2 for each of its own polarity, less 1 for each of the other
         return (int) (sixteenths + SUPPORT_SIGMAS * Math.sqrt((2 * 2 + 1) * sixteenths));
     }
@@ -50,15 +49,10 @@ final class Noise {
      */
     static int trace(double rate, double speed, double sigmas) {
         double expected = rate * 1e6 / Math.max(PixelHistory.SLOWEST_PX_PER_S, speed);
-        double onIt = share(expected);
-        double beside = (1 - onIt) * share(BESIDE * expected);
+        double onIt = Chance.share(expected);
+        double beside = (1 - onIt) * Chance.share(BESIDE * expected);
         double mean = PixelHistory.ON_THE_PIXEL * onIt + beside;
         double square = PixelHistory.ON_THE_PIXEL * PixelHistory.ON_THE_PIXEL * onIt + beside;
-        return (int) (PixelHistory.TRACE_PX * mean
-            + sigmas * Math.sqrt(PixelHistory.TRACE_PX * (square - mean * mean)));
-    }
-
-    private static double share(double expected) {
-        return expected / (1 + expected);
+        return (int) Chance.most(PixelHistory.TRACE_PX, mean, square, sigmas);
     }
 }

@@ -308,11 +308,11 @@ public final class TrackPlaneStack {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);
         }
+        noise.reset();
         found.reset();
         found.open(planes.length, unused, noise.perUs());
         doubts.reset();
         history.clear();
-        noise.reset();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }
