@@ -44,7 +44,7 @@ final class FoundStructures implements Structures {
 
         @Override
         public void addPast(int x, int y, long timeUs, int polarity) {
-            plane.addPast(x, y, timeUs, polarity);
+            planes.addPast(plane, x, y, timeUs, polarity);
         }
 
         @Override

@@ -17,6 +17,7 @@ public final class FoundPlanes {
     private final Contour.Spare spareCells;
     private final MeasuredMotions measured;
     private final MetricFit fit;
+    private final Bursts bursts;
     private final List<TrackPlane> found = new ArrayList<>();
     private final List<TrackPlane> unused = new ArrayList<>();
     private SofasParameters.Track p;
@@ -29,6 +30,7 @@ public final class FoundPlanes {
         this.fit = fit;
         this.measured = measured;
         spareCells = new Contour.Spare(sensor);
+        bursts = new Bursts(sensor);
     }
 
     /**
@@ -54,6 +56,7 @@ public final class FoundPlanes {
 
     /** Lets go what was found. */
     void reset() {
+        bursts.reset();
         found.forEach(TrackPlane::clear);
         unused.addAll(found);
         found.clear();
@@ -91,6 +94,11 @@ public final class FoundPlanes {
         return unused.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured) : unused.remove(unused.size() - 1);
     }
 
+    /** Adds an event of the past of a new structure. */
+    public void addPast(TrackPlane plane, int x, int y, long timeUs, int polarity) {
+        plane.addPast(x, y, timeUs, polarity, bursts.begins(x, y, timeUs, polarity, plane.burstUs()));
+    }
+
     /** Measures the motion of a new structure, which expects events from then on. */
     public void begin(TrackPlane plane, long nowUs) {
         plane.recentre(fit, nowUs);
@@ -102,7 +110,7 @@ public final class FoundPlanes {
         for (int i = 0; i < found.size(); i++) {
             TrackPlane plane = found.get(i);
             if (plane.support(x, y, timeUs, polarity) >= plane.threshold()) {
-                plane.addPast(x, y, timeUs, polarity);
+                addPast(plane, x, y, timeUs, polarity);
                 return true;
             }
         }

@@ -41,6 +41,9 @@ public final class TrackPlane {
     /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
     private static final int MOST_TO_TWO = 8;
 
+    /** Longest travel in px, and time, of a burst: what turns back sets off faster than it is thought to. */
+    private static final double BURST_PX = 0.5;
+    private static final long BURST_US = 5_000;
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
@@ -202,6 +205,11 @@ public final class TrackPlane {
         return lifetimeUs;
     }
 
+    /** How long the bursts of its pixels last. */
+    long burstUs() {
+        return (long) Math.min(BURST_US, BURST_PX / measurement.lifetimePx() * lifetimeUs);
+    }
+
     /** Time for which the contour holds events: the lifetime, less where noise would fill it. */
     private long contourUs() {
         return Math.min(lifetimeUs, Math.max(lifetimeUs / CONTOUR_PART, Noise.mostUs(noisePerUs)));
@@ -212,10 +220,17 @@ public final class TrackPlane {
         return memory.remembered(x, y, timeUs);
     }
 
-    /** Adds an event of the structure's past, before its motion is measured for the first time. */
-    public void addPast(int x, int y, long timeUs, int polarity) {
+    /**
+     * Adds an event of the structure's past, before its motion is measured for the first time.
+     *
+     * @param beginsBurst whether it is the first event of a burst: no other is measured
+     */
+    void addPast(int x, int y, long timeUs, int polarity, boolean beginsBurst) {
         contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), contourUs());
-        live.add(x, y, timeUs, polarity, Claim.OWN, memory.see(x, y, timeUs));
+        int tile = memory.see(x, y, timeUs);
+        if (beginsBurst) {
+            live.add(x, y, timeUs, polarity, Claim.OWN, tile);
+        }
     }
 
     /** Notes an event of the past on the contour, as one where more are to come. */
@@ -234,8 +249,9 @@ public final class TrackPlane {
      * Takes an event, and measures the motion when enough have come.
      *
      * @param claim why it is taken; unless it is remembered, it is the event whose support was asked for last
+     * @param beginsBurst whether it is the first event of a burst: no other is measured
      */
-    void take(int x, int y, long timeUs, int polarity, Claim claim, MetricFit fit) {
+    void take(int x, int y, long timeUs, int polarity, Claim claim, boolean beginsBurst, MetricFit fit) {
         if (isPredictive()) {
             // else it got no flow
             events++;
@@ -249,7 +265,7 @@ public final class TrackPlane {
             contour.addLast(polarity);
             tile = memory.see(x, y, timeUs);
         }
-        if (live.takes(tile)) {
+        if (beginsBurst && live.takes(tile)) {
             live.add(x, y, timeUs, polarity, claim, tile);
             sinceMeasured++;
             if (sinceMeasured >= measurement.newsNeeded(live.size())) {
@@ -475,7 +491,7 @@ public final class TrackPlane {
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             if (parting.isOfPart(i)) {
-                to.addPast(live.x[i], live.y[i], live.timeUs[i], live.sign[i]);
+                to.addPast(live.x[i], live.y[i], live.timeUs[i], live.sign[i], true);
             }
         }
         to.recentre(fit, nowUs);

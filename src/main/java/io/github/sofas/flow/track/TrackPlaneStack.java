@@ -38,6 +38,7 @@ public final class TrackPlaneStack {
     private TrackPlane forPart;
     private final Doubts doubts;
     private final PixelHistory history;
+    private final Bursts bursts;
     private final NoiseRate noise;
     private final Candidates candidates = new Candidates();
     private final Reaches reaches = new Reaches();
@@ -59,6 +60,7 @@ public final class TrackPlaneStack {
         parting = new Parting(sensor);
         doubts = new Doubts(sensor);
         history = new PixelHistory(sensor);
+        bursts = new Bursts(sensor);
         noise = new NoiseRate(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
         found.open(planes.length, unused, noise.perUs());
@@ -68,7 +70,8 @@ public final class TrackPlaneStack {
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more plane, for a part, and one more ring, for merging
         return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
-            + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor) + NoiseRate.bytes(sensor);
+            + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor)
+            + NoiseRate.bytes(sensor);
     }
 
     /**
@@ -117,7 +120,8 @@ public final class TrackPlaneStack {
         } else {
             write(output, i, 0, 0, 0);
         }
-        best.take(x, y, timeUs, polarity, claim, fit);
+        boolean beginsBurst = bursts.begins(x, y, timeUs, polarity, best.burstUs());
+        best.take(x, y, timeUs, polarity, claim, beginsBurst, fit);
         reaches.follow(best, planes, size, timeUs);
         return explained;
     }
@@ -313,6 +317,7 @@ public final class TrackPlaneStack {
         found.open(planes.length, unused, noise.perUs());
         doubts.reset();
         history.clear();
+        bursts.reset();
         nextId = 1;
         nextCheckUs = Long.MIN_VALUE;
     }

@@ -38,7 +38,7 @@ public class CandidatesTest {
         TrackPlane plane = edges.stack.found().create(edges.nowUs, 100, 0);
         for (int c = COLUMNS - 1; c >= 0; c--) {
             for (int y = 0; y < ROWS; y++) {
-                plane.addPast((c < 3 ? 40 : 41) - c, 30 + y, edges.nowUs - c * 10_000, 1);
+                plane.addPast((c < 3 ? 40 : 41) - c, 30 + y, edges.nowUs - c * 10_000, 1, true);
             }
         }
         edges.stack.found().begin(plane, edges.nowUs);

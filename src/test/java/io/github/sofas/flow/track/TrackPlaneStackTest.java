@@ -32,7 +32,7 @@ public class TrackPlaneStackTest {
     public void planeThatWasFoundLabelsNothingBeforeItIsAdopted() {
         TrackPlane plane = edges.stack.found().create(edges.nowUs, 100, 0);
         for (int i = 0; i < COLUMNS * ROWS; i++) {
-            plane.addPast(36 + i / ROWS, 30 + i % ROWS, edges.nowUs - (4 - i / ROWS) * 10_000, 1);
+            plane.addPast(36 + i / ROWS, 30 + i % ROWS, edges.nowUs - (4 - i / ROWS) * 10_000, 1, true);
         }
         edges.stack.found().begin(plane, edges.nowUs);
         edges.nowUs += 10_000;
@@ -74,7 +74,7 @@ public class TrackPlaneStackTest {
     @Test
     public void resetForgetsWhatWasFound() {
         TrackPlane plane = edges.stack.found().create(edges.nowUs, 100, 0);
-        plane.addPast(40, 30, edges.nowUs, 1);
+        plane.addPast(40, 30, edges.nowUs, 1, true);
         edges.stack.found().begin(plane, edges.nowUs);
         edges.stack.reset();
         edges.stack.adopt();
@@ -103,11 +103,11 @@ public class TrackPlaneStackTest {
         TrackPlane plane = edges.stack.found().create(edges.nowUs, 100, 0);
         for (int c = COLUMNS - 1; c >= 0; c--) {
             for (int y = 0; y < ROWS; y++) {
-                plane.addPast(40 - c, 30 + y, edges.nowUs - c * 10_000, 1);
+                plane.addPast(40 - c, 30 + y, edges.nowUs - c * 10_000, 1, true);
             }
             for (int[] dot : dots) {
                 if (c == 1 || c == 2) {
-                    plane.addPast(dot[0] - c, dot[1], edges.nowUs - c * 10_000, 1);
+                    plane.addPast(dot[0] - c, dot[1], edges.nowUs - c * 10_000, 1, true);
                 }
             }
         }
@@ -204,7 +204,7 @@ public class TrackPlaneStackTest {
             TrackPlane plane = edges.stack.found().create(beganUs, 100, 0);
             for (long t = -100_000; t <= 0; t += 100) {
                 long us = beganUs + t;
-                at(t, (x, y) -> plane.addPast(x, y, us, 1));
+                at(t, (x, y) -> plane.addPast(x, y, us, 1, true));
             }
             edges.stack.found().begin(plane, beganUs);
             edges.stack.adopt();
@@ -233,10 +233,10 @@ public class TrackPlaneStackTest {
 
     @Test
     public void bodyThatMovesOtherwiseThanThePlaneThatHasItBecomesOneOfItsOwn() {
-        new TwoTextures(40).goOn();
+        new TwoTextures(50).goOn();
         assertEquals(List.of(1, 2), edges.ids());
         assertEquals(100, edges.stack.segments().get(0).vxPxPerS(), 3);
-        assertEquals(140, edges.stack.segments().get(1).vxPxPerS(), 3);
+        assertEquals(150, edges.stack.segments().get(1).vxPxPerS(), 3);
         assertTrue(edges.stack.segments().get(0).maxY() < 40);
         assertTrue(edges.stack.segments().get(1).minY() > 50);
         assertEquals(List.of(), edges.ended);
@@ -251,7 +251,7 @@ public class TrackPlaneStackTest {
     @Test
     public void planeThatWasFoundIsLetGoWhereAPartTookTheLastRoom() {
         edges.stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 2).track());
-        TwoTextures textures = new TwoTextures(40);
+        TwoTextures textures = new TwoTextures(50);
         TrackPlane late = edges.stack.found().create(edges.nowUs, 100, 0);
         edges.stack.found().begin(late, edges.nowUs);
         textures.goOn();
@@ -266,7 +266,7 @@ public class TrackPlaneStackTest {
     public void partsAreMadeOfPlanesThatAreNotUsed() {
         edges.stack.setParameters(SofasParameters.defaults().with("maxTrackPlanes", 2).track());
         for (int times = 0; times < 5; times++) {
-            new TwoTextures(40).goOn();
+            new TwoTextures(50).goOn();
             assertEquals(List.of(1, 2), edges.ids());
             edges.stack.reset();
         }

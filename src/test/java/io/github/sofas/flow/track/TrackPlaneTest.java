@@ -37,7 +37,7 @@ public class TrackPlaneTest {
         plane.start(nowUs + 3 * COLUMN_US, 100, 0, 0);
         for (int c = 0; c < 3; c++) {
             for (int y = 0; y < ROWS; y++) {
-                plane.addPast(column, 30 + y, nowUs, 1);
+                plane.addPast(column, 30 + y, nowUs, 1, true);
             }
             column++;
             nowUs += COLUMN_US;
@@ -48,7 +48,7 @@ public class TrackPlaneTest {
 
     private void take(int x, int y, long timeUs, int polarity, Claim claim) {
         plane.support(x, y, timeUs, polarity);
-        plane.take(x, y, timeUs, polarity, claim, fit);
+        plane.take(x, y, timeUs, polarity, claim, true, fit);
     }
 
     /** Goes on, and looks after it each 5 ms. */
@@ -250,13 +250,40 @@ public class TrackPlaneTest {
     }
 
     @Test
+    public void burstLastsForHalfAPixelOfTravelAndFiveMillisecondsAtMost() {
+        plane.start(nowUs, 400, 300, 0);
+        assertEquals(1_000, plane.burstUs());
+        plane.start(nowUs, 100, 0, 0);
+        assertEquals(5_000, plane.burstUs());
+        plane.start(nowUs, 10, 0, 0);
+        assertEquals(5_000, plane.burstUs());
+    }
+
+    @Test
+    public void onlyTheFirstEventOfABurstIsMeasured() {
+        start(20);
+        goOn(10);
+        plane.recentre(fit, nowUs);
+        long votes = fit.votes();
+        for (int times = 0; times < 200; times++) {
+            plane.support(column, 30 + times % ROWS, nowUs, 1);
+            plane.take(column, 30 + times % ROWS, nowUs, 1, Claim.OWN, false, fit);
+        }
+        assertEquals(votes, fit.votes());
+        for (int times = 0; times < 200; times++) {
+            take(column, 30 + times % ROWS, nowUs, 1, Claim.OWN);
+        }
+        assertTrue(fit.votes() > votes);
+    }
+
+    @Test
     public void contourIsDrawnAnewWhereTheMotionWasCorrected() {
         // found at 60 px/s, which leaves the three columns 0.8 px apart in its frame
         nowUs = 1_000_000;
         plane.start(nowUs + 2 * COLUMN_US, 60, 0, 0);
         for (int c = 0; c < 6; c++) {
             for (int y = 0; y < ROWS; y++) {
-                plane.addPast(20 + c, 30 + y, nowUs, 1);
+                plane.addPast(20 + c, 30 + y, nowUs, 1, true);
             }
             nowUs += COLUMN_US;
         }
@@ -324,7 +351,7 @@ public class TrackPlaneTest {
                 double vx = (dot % 4 == 0 ? 160 : 100) * 1e-6;
                 int x = (int) Math.floor(60 + at[dot] + vx * t);
                 if (x != (int) Math.floor(60 + at[dot] + vx * (t - 100))) {
-                    plane.addPast(x, (int) at[dot + 200] + (dot % 4 == 0 ? 60 : 10), t, 1);
+                    plane.addPast(x, (int) at[dot + 200] + (dot % 4 == 0 ? 60 : 10), t, 1, true);
                 }
             }
         }

@@ -44,7 +44,7 @@ final class TrackedEdges {
         for (int c = columns - 1; c >= 0; c--) {
             long timeUs = nowUs - (long) (c * 1e6 / Math.abs(vx));
             for (int i = 0; i < times * ROWS; i++) {
-                plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs, 1);
+                plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs, 1, true);
             }
         }
         stack.found().begin(plane, nowUs);
