@@ -167,7 +167,7 @@ final class TwoBodies {
         isClearlyOne = true;
         for (int line = 0; line < LINES; line++) {
             divide(Math.PI * line / LINES);
-            double gained = part(fit);
+            double gained = part(fit, most / 2);
             isClearlyOne &= gained < 0;
             if (gained > most && areTwo()) {
                 most = gained;
@@ -287,12 +287,17 @@ final class TwoBodies {
         return isSecond[tile[k]] == (body == second);
     }
 
-    /** Measures the two velocities, and which suits each tile better; returns what the metric gains by them. */
-    private double part(MetricFit fit) {
+    /**
+     * Measures the two velocities, and which suits each tile better.
+     *
+     * @param promising what the metric gains by the first whole measurement where it is worth while to go on
+     * @return what it gains by the last one
+     */
+    private double part(MetricFit fit, double promising) {
         // a first step tells of most of what turns that two velocities are worse, for little
         double gained = measure(fit, false);
         changed = true;
-        for (int round = 0; round < ROUNDS && changed && gained > 0; round++) {
+        for (int round = 0; round < ROUNDS && changed && gained > (round == 0 ? 0 : promising); round++) {
             gained = measure(fit, true);
         }
         return gained;

@@ -250,13 +250,13 @@ public class TrackPlaneTest {
     }
 
     @Test
-    public void burstLastsForHalfAPixelOfTravelAndFiveMillisecondsAtMost() {
+    public void burstLastsForHalfAPixelOfTravelAndOneAndAHalfMillisecondsAtMost() {
         plane.start(nowUs, 400, 300, 0);
         assertEquals(1_000, plane.burstUs());
-        plane.start(nowUs, 100, 0, 0);
-        assertEquals(5_000, plane.burstUs());
+        plane.start(nowUs, 250, 0, 0);
+        assertEquals(1_500, plane.burstUs());
         plane.start(nowUs, 10, 0, 0);
-        assertEquals(5_000, plane.burstUs());
+        assertEquals(1_500, plane.burstUs());
     }
 
     @Test
