@@ -107,17 +107,21 @@ final class SmoothedSegments {
                 alive.add(smoother.label(segment));
             }
         }
-        // what merged first: its events count for what it merged into, which may be over, too
-        tellOfEnded(true, alive);
-        tellOfEnded(false, alive);
+        boolean isAnyTold;
+        do {
+            // what merged first, and so on
+            isAnyTold = tellOfEnded(alive);
+        } while (isAnyTold);
     }
 
-    private void tellOfEnded(boolean merged, Set<Integer> alive) {
+    private boolean tellOfEnded(Set<Integer> alive) {
+        boolean isAnyTold = false;
         for (Map.Entry<Integer, Segment> next : List.copyOf(ending.entrySet())) {
             int label = next.getKey();
             Segment segment = next.getValue();
             boolean isMerged = segment.fate() == Segment.Fate.MERGED;
-            if (isMerged == merged && smoother.isOver(label) && !alive.contains(label)) {
+            if (smoother.isOver(label) && !alive.contains(label) && !awaitsMerged(label)) {
+                isAnyTold = true;
                 ending.remove(label);
                 Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
                 Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
@@ -128,6 +132,18 @@ final class SmoothedSegments {
                 smoother.forget(label);
             }
         }
+        return isAnyTold;
+    }
+
+    /** Whether another label merged into one and may have events still, which count for that one. */
+    private boolean awaitsMerged(int label) {
+        for (Map.Entry<Integer, Segment> other : ending.entrySet()) {
+            if (other.getKey() != label && other.getValue().fate() == Segment.Fate.MERGED
+                    && smoother.endOf(other.getKey()) == label) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether the events of a label that has ended go by another one. */
