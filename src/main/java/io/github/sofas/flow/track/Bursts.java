@@ -13,7 +13,7 @@ import java.util.Arrays;
 final class Bursts {
     /** Eighteen minutes; then all is forgotten, and times begin at 0 again. */
     private static final long LAST_US = 1 << 30;
-    private static final int NEVER = Integer.MIN_VALUE / 2;
+    private static final int NEVER = -1 << 29;
 
     private final int columns;
     /** When the last burst of each pixel began, OFF and ON, in µs since a first event. */

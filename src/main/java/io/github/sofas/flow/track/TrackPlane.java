@@ -41,9 +41,10 @@ public final class TrackPlane {
     /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
     private static final int MOST_TO_TWO = 8;
 
-    /** Longest travel in px, and time, of a burst: what seems to stand may set off, and edges follow each other. */
+    /** Longest travel in px, and time, of a burst; longer ones would have edges that follow, and what sets off. */
     private static final double BURST_PX = 0.5;
     private static final long BURST_US = 1_500;
+
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 

@@ -79,6 +79,7 @@ public class BurstsTest {
         assertTrue(begins(1, 1, 0, 1));
         assertTrue(begins(1, 1, late, 1));
         assertFalse(begins(1, 1, late + 50, 1));
+        assertTrue("its first event", begins(2, 1, late + 100, 1));
         assertTrue("all is forgotten", begins(1, 1, late + 200, 1));
         assertFalse(begins(1, 1, late + 250, 1));
         assertTrue(begins(1, 1, 1L << 42, 1));
