@@ -137,13 +137,17 @@ final class SmoothedSegments {
 
     /** Whether another label merged into one and may have events still, which count for that one. */
     private boolean awaitsMerged(int label) {
-        for (Map.Entry<Integer, Segment> other : ending.entrySet()) {
-            if (other.getKey() != label && other.getValue().fate() == Segment.Fate.MERGED
-                    && smoother.endOf(other.getKey()) == label) {
+        for (int other : ending.keySet()) {
+            // of two that merged into each other, known again in between, neither waits
+            if (other != label && mergedInto(other, label) && !mergedInto(label, other)) {
                 return true;
             }
         }
         return false;
+    }
+
+    private boolean mergedInto(int label, int other) {
+        return ending.get(label).fate() == Segment.Fate.MERGED && smoother.endOf(label) == other;
     }
 
     /** Whether the events of a label that has ended go by another one. */
