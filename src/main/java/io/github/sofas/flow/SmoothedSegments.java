@@ -109,7 +109,7 @@ final class SmoothedSegments {
         }
         boolean isAnyTold;
         do {
-            // what merged first, and so on
+            // what waited for one that was told of now may be told of, too
             isAnyTold = tellOfEnded(alive);
         } while (isAnyTold);
     }

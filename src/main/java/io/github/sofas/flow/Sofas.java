@@ -87,7 +87,7 @@ public final class Sofas implements EventLabeller {
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
      * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 19 for each of the newest 2
-     * to 4 events per pixel, at most 2^20; 29 bytes per pixel; three times 8 bytes for each cell of a grid that motion
+     * to 4 events per pixel, at most 2^20; 45 bytes per pixel; three times 8 bytes for each cell of a grid that motion
      * is measured on, and for 8,192 more, and 72 for each of 16,384 events; 16 for each cell of 4 x 4 px of the sensor
      * and of 32 px around it; 4 for each of (w + 24) (h + 24) pixels, 33 for each cell of 8 x 8 px of the sensor and of
      * 16 px around it, and 31 for each of 16,384 events; and for each track plane, and one more, 4 bytes for each of

@@ -68,7 +68,7 @@ public final class TrackPlaneStack {
 
     /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
-        // one more plane, for a part, and one more ring, for merging
+        // one more plane, for a part, one more ring, for merging, and bursts of what is found and of what is tracked
         return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
             + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor)
             + NoiseRate.bytes(sensor);

@@ -246,6 +246,7 @@ public class TrackPlaneStackTest {
         assertEquals(List.of(1, 2), edges.ids());
         assertEquals(100, edges.stack.segments().get(0).vxPxPerS(), 3);
         assertEquals(150, edges.stack.segments().get(1).vxPxPerS(), 3);
+        assertTrue(edges.stack.segments().get(1).minY() > 50);
         assertTrue("in their own: " + right, right > 0.98);
         assertEquals(List.of(), edges.ended);
     }
