@@ -250,9 +250,9 @@ public final class TrackPlane {
      * Takes an event, and measures the motion when enough have come.
      *
      * @param claim why it is taken; unless it is remembered, it is the event whose support was asked for last
-     * @param beginsBurst whether it is the first event of a burst: no other is measured
+     * @param bursts tells the first event of each burst: no other is measured
      */
-    void take(int x, int y, long timeUs, int polarity, Claim claim, boolean beginsBurst, MetricFit fit) {
+    void take(int x, int y, long timeUs, int polarity, Claim claim, Bursts bursts, MetricFit fit) {
         if (isPredictive()) {
             // else it got no flow
             events++;
@@ -266,7 +266,7 @@ public final class TrackPlane {
             contour.addLast(polarity);
             tile = memory.see(x, y, timeUs);
         }
-        if (beginsBurst && live.takes(tile)) {
+        if (live.takes(tile) && bursts.begins(x, y, timeUs, polarity, burstUs())) {
             live.add(x, y, timeUs, polarity, claim, tile);
             sinceMeasured++;
             if (sinceMeasured >= measurement.newsNeeded(live.size())) {

@@ -120,8 +120,7 @@ public final class TrackPlaneStack {
         } else {
             write(output, i, 0, 0, 0);
         }
-        boolean beginsBurst = bursts.begins(x, y, timeUs, polarity, best.burstUs());
-        best.take(x, y, timeUs, polarity, claim, beginsBurst, fit);
+        best.take(x, y, timeUs, polarity, claim, bursts, fit);
         reaches.follow(best, planes, size, timeUs);
         return explained;
     }

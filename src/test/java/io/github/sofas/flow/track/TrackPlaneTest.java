@@ -27,6 +27,7 @@ public class TrackPlaneTest {
     private final List<Long> measuredUs = new ArrayList<>();
     private final TrackPlane plane = new TrackPlane(SENSOR, new Contour.Spare(SENSOR),
         SofasParameters.defaults().track(), (segment, motion) -> measuredUs.add(motion.referenceUs));
+    private final Bursts bursts = new Bursts(SENSOR);
     private long nowUs;
     private int column;
 
@@ -48,7 +49,8 @@ public class TrackPlaneTest {
 
     private void take(int x, int y, long timeUs, int polarity, Claim claim) {
         plane.support(x, y, timeUs, polarity);
-        plane.take(x, y, timeUs, polarity, claim, true, fit);
+        bursts.reset();
+        plane.take(x, y, timeUs, polarity, claim, bursts, fit);
     }
 
     /** Goes on, and looks after it each 5 ms. */
@@ -263,11 +265,14 @@ public class TrackPlaneTest {
     public void onlyTheFirstEventOfABurstIsMeasured() {
         start(20);
         goOn(10);
+        for (int y = 0; y < ROWS; y++) {
+            bursts.begins(column, 30 + y, nowUs, 1, 0);
+        }
         plane.recentre(fit, nowUs);
         long votes = fit.votes();
         for (int times = 0; times < 200; times++) {
             plane.support(column, 30 + times % ROWS, nowUs, 1);
-            plane.take(column, 30 + times % ROWS, nowUs, 1, Claim.OWN, false, fit);
+            plane.take(column, 30 + times % ROWS, nowUs, 1, Claim.OWN, bursts, fit);
         }
         assertEquals(votes, fit.votes());
         for (int times = 0; times < 200; times++) {
