@@ -8,25 +8,20 @@ import io.github.sofas.flow.motion.MeasuredMotions;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * A structure that is tracked (paper, section Track Plane): its contour, its live events, and its motion, which is
- * measured again and again as the top of the metric of 3 x 3 projections.
+ * A structure that is tracked (paper, section Track Plane): its contour, and its motion, which is measured again and
+ * again as the top of the metric of 3 x 3 projections.
  *
  * <p>Ours, because hits alone leave the velocity a tenth off: the metric is compared, not hits counted; neighbours are
  * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration, a rotation
  * and a growth, so that the velocity is that of now and not of the middle of the window.
  *
  * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, parts, merges
- * and ends it. What each of these does is in {@link LiveEvents}, {@link Measurement}, {@link MeasuredMotion},
- * {@link Contour}, {@link ContourMemory} and {@link EventDensity}.
+ * and ends it. What each of these does is in {@link Recentring}, {@link MeasuredMotion}, {@link Contour} and
+ * {@link ContourMemory}.
  */
 public final class TrackPlane {
     /** Events that a structure must have had to be waited for while it is hidden. */
     private static final int LEAST_HIDDEN = 200;
-    /** A plane that gets no events is measured at the latest after this part of its lifetime, and this time. */
-    private static final int LATE_PART = 4;
-    private static final long LATE_US = 20_000;
-    /** Longest lifetime: what stands still would keep its events for ever. */
-    private static final long MAX_LIFETIME_US = 1_000_000;
     /** Longest time for which the contour is remembered: what stands still would haunt its place. */
     private static final long MAX_MEMORY_US = 2_000_000;
     /**
@@ -34,17 +29,10 @@ public final class TrackPlane {
      * takes to turn back.
      */
     private static final int ADRIFT_PART = 2;
-    /** Part of the events in which a velocity was looked for that must be new to look again. */
-    private static final int LOOK_PART = 4;
     /** Travel in px after which it is asked again whether a part is a body of its own. */
     private static final double PARTING_PX = 4;
     /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
     private static final int MOST_TO_TWO = 8;
-
-    /** Longest travel in px, and time, of a burst; longer ones would have edges that follow, and what sets off. */
-    private static final double BURST_PX = 0.5;
-    private static final long BURST_US = 1_500;
-
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
@@ -60,15 +48,12 @@ public final class TrackPlane {
 
     private final SensorSize sensor;
     private SofasParameters.Track p;
-    private LiveEvents live = new LiveEvents();
     private final Contour contour;
     private final ContourMemory memory;
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
-    private final Measurement measurement;
+    private final Recentring recentring;
     private final MeasuredMotion measured;
-    private final EventDensity density = new EventDensity();
-    private final FreshVelocity fresh = new FreshVelocity();
 
     private int served;
     private long firstUs;
@@ -82,11 +67,6 @@ public final class TrackPlane {
     private long lifetimeUs;
     /** How many noise events a pixel gave of either polarity last, per µs. */
     private double noisePerUs;
-    private int sinceMeasured;
-    private long measuredUs;
-    private long widenedUs;
-    /** When its velocity was looked for anew last. */
-    private long lookedUs;
     /** When it was looked for a part last. */
     private long partingUs;
     /** Times until two bodies are looked for, and from one such time to the next. */
@@ -98,7 +78,7 @@ public final class TrackPlane {
         this.p = p;
         contour = new Contour(sensor, spare);
         memory = new ContourMemory(sensor.width(), sensor.height());
-        measurement = new Measurement(p);
+        recentring = new Recentring(p);
         measured = new MeasuredMotion(listener);
     }
 
@@ -122,17 +102,11 @@ public final class TrackPlane {
         state = State.TRACKED;
         adrift = false;
         measured.start(vx, vy);
-        density.start();
-        live.clear();
         motion.set(nowUs, vx, vy);
         contour.start(motion);
         memory.start(motion);
-        measurement.restart();
-        lifetimeUs = lifetime();
-        sinceMeasured = 0;
-        measuredUs = nowUs;
-        widenedUs = nowUs;
-        lookedUs = nowUs;
+        recentring.start(nowUs);
+        lifetimeUs = recentring.followLifetime(motion, contour.radius());
         partingUs = nowUs;
         askSoonForTwo();
     }
@@ -159,7 +133,7 @@ public final class TrackPlane {
 
     /** How its motion was measured, and what is known of it. */
     Measurement measurement() {
-        return measurement;
+        return recentring.measurement();
     }
 
     /** Where its events fell of late. */
@@ -169,7 +143,7 @@ public final class TrackPlane {
 
     /** Whether it has events that its motion can be measured from. */
     boolean hasLiveEvents() {
-        return live.size() > 0;
+        return recentring.live().size() > 0;
     }
 
     /** Speed of its contour in px/s, root of the mean square. */
@@ -208,7 +182,7 @@ public final class TrackPlane {
 
     /** How long the bursts of its pixels last. */
     long burstUs() {
-        return (long) Math.min(BURST_US, BURST_PX / measurement.lifetimePx() * lifetimeUs);
+        return recentring.burstUs();
     }
 
     /** Time for which the contour holds events: the lifetime, less where noise would fill it. */
@@ -230,7 +204,7 @@ public final class TrackPlane {
         contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), contourUs());
         int tile = memory.see(x, y, timeUs);
         if (beginsBurst) {
-            live.add(x, y, timeUs, polarity, Claim.OWN, tile);
+            recentring.live().add(x, y, timeUs, polarity, Claim.OWN, tile);
         }
     }
 
@@ -266,42 +240,14 @@ public final class TrackPlane {
             contour.addLast(polarity);
             tile = memory.see(x, y, timeUs);
         }
-        if (live.takes(tile) && bursts.begins(x, y, timeUs, polarity, burstUs())) {
-            live.add(x, y, timeUs, polarity, claim, tile);
-            sinceMeasured++;
-            if (sinceMeasured >= measurement.newsNeeded(live.size())) {
-                recentre(fit, timeUs);
-            }
+        if (recentring.add(x, y, timeUs, polarity, claim, tile, bursts)) {
+            recentre(fit, timeUs);
         }
-    }
-
-    /** Time in which the structure travels the lifetime's pixels, from a stand too if it speeds up. */
-    private long lifetime() {
-        double speed = speed();
-        double spin = motion.alpha * contour.radius();
-        double gained = Math.sqrt(motion.ax * motion.ax + motion.ay * motion.ay + spin * spin)
-            * measurement.lifetimePx() / 2;
-        return (long) Math.min(MAX_LIFETIME_US,
-            measurement.lifetimePx() / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
     }
 
     /** Whether its motion tells where its events come from: else they get no flow until it does again. */
     boolean isPredictive() {
-        return measurement.isPredictive() && !adrift;
-    }
-
-    /** Whether it gets fewer events than its motion lets expect. */
-    private boolean isStarved() {
-        return density.isStarved(live, measurement.lifetimePx(), p.minShare());
-    }
-
-    /** Takes what events there are for usual, unless they rush: returns whether they do not. */
-    private boolean followDensity(long nowUs) {
-        if (density.isRushed(live, motion, contour.radius(), nowUs)) {
-            return false;
-        }
-        density.follow(live, measurement.lifetimePx());
-        return true;
+        return recentring.measurement().isPredictive() && !adrift;
     }
 
     /**
@@ -311,21 +257,16 @@ public final class TrackPlane {
      */
     State update(long nowUs, double noise) {
         noisePerUs = noise;
-        live.expire(nowUs - lifetimeUs);
-        if (nowUs - widenedUs > lifetimeUs) {
-            // once per lifetime: the events of the tiles that are taken anew are complete only then
-            widenedUs = nowUs;
-            live.widen();
-        }
+        recentring.goOn(nowUs);
         contour.fade(nowUs, contourUs());
-        followDensity(nowUs);
-        if (!isStarved()) {
+        recentring.followDensity(motion, contour.radius(), nowUs);
+        if (!recentring.isStarved()) {
             state = State.TRACKED;
         } else if (state == State.TRACKED) {
             state = events < LEAST_HIDDEN ? State.ENDED : State.WAITED_FOR;
             waitingSinceUs = nowUs;
         }
-        if (measurement.isBlurred()) {
+        if (recentring.measurement().isBlurred()) {
             state = State.ENDED;
         }
         if (state == State.WAITED_FOR && (nowUs - waitingSinceUs >= memoryUs() || hasLeft(nowUs))) {
@@ -343,59 +284,31 @@ public final class TrackPlane {
 
     /** Measures the motion of a structure that gets few events and would else wait long. */
     void measureIfLate(MetricFit fit, long nowUs) {
-        long since = nowUs - measuredUs;
-        if (sinceMeasured > 0 && since > LATE_US && since > lifetimeUs / LATE_PART) {
+        if (recentring.isLate(nowUs)) {
             recentre(fit, nowUs);
         }
     }
 
     /** Measures the motion over the live events, and lets contour and memory follow it. */
     void recentre(MetricFit fit, long nowUs) {
-        live.expire(nowUs - lifetimeUs);
-        sinceMeasured = 0;
-        measuredUs = nowUs;
-        if (live.size() == 0) {
-            return;
-        }
-        before.copyFrom(motion);
-        before.moveReference(nowUs);
-        if (!followDensity(nowUs)) {
-            lookAnew(fit, nowUs);
-        }
-        if (isStarved()) {
-            // what is left is noise, or too little: the motion is held
-            measurement.hold(motion);
-            measurement.judge(false, motion, live, contour.radius(), fit, nowUs);
-        } else if (nowUs - live.oldestUs() > 10) {
-            measurement.measure(motion, live, contour.radius(), fit, lifetimeUs, nowUs);
-            measured.take(motion);
-            measurement.judge(true, motion, live, contour.radius(), fit, nowUs);
-        }
-        carryOn(nowUs);
-    }
-
-    /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
-    private void lookAnew(MetricFit fit, long nowUs) {
-        int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
-        int newest = Math.min(live.size(), usual);
-        long fromUs = live.newestFromUs(newest);
-        if (nowUs - lookedUs < (nowUs - fromUs) / LOOK_PART) {
-            return;
-        }
-        lookedUs = nowUs;
-        if (fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, before, contour.radius(), fit)) {
-            live.keepNewest(newest);
-            motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
-            measurement.restart();
-            lifetimeUs = lifetime();
+        recentring.measure(motion, contour.radius(), fit, nowUs);
+        if (recentring.hasMotion()) {
+            carryOn(nowUs);
         }
     }
 
     /** Goes on along the motion as it is known now. */
     private void carryOn(long nowUs) {
+        before.copyFrom(motion);
+        before.moveReference(nowUs);
+        motion.copyFrom(recentring.takeMotion());
+        lifetimeUs = recentring.lifetimeUs();
+        if (recentring.isMeasured()) {
+            measured.take(motion);
+        }
         motion.moveReference(nowUs);
-        if (live.thinning() == 1 && isMovedOff()) {
-            contour.draw(live, motion, contourUs());
+        if (recentring.live().thinning() == 1 && isMovedOff()) {
+            contour.draw(recentring.live(), motion, contourUs());
         } else {
             contour.fade(nowUs, contourUs());
             contour.follow(motion);
@@ -405,9 +318,9 @@ public final class TrackPlane {
 
     /** Takes centre, lifetime and memory from the contour as it lies now. */
     private void followContour() {
-        contour.measure(live, motion, Noise.support(noisePerUs, contourUs()));
+        contour.measure(recentring.live(), motion, Noise.support(noisePerUs, contourUs()));
         motion.moveCentre(contour.centreX(), contour.centreY());
-        lifetimeUs = lifetime();
+        lifetimeUs = recentring.followLifetime(motion, contour.radius());
         memory.follow(motion, memoryUs());
     }
 
@@ -431,31 +344,28 @@ public final class TrackPlane {
      */
     LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, long nowUs) {
         motion.copyFrom(common);
-        measurement.takeCommon();
-        spare.fillFrom(live, other.live);
-        LiveEvents used = live;
-        live = spare;
+        LiveEvents used = recentring.merge(other.recentring, spare);
         events += other.events;
         motion.moveReference(nowUs);
-        if (live.thinning() == 1) {
-            contour.draw(live, motion, contourUs());
+        if (recentring.live().thinning() == 1) {
+            contour.draw(recentring.live(), motion, contourUs());
         } else {
             contour.absorb(other.contour, motion);
         }
         followContour();
-        for (int k = 0; k < other.live.size(); k++) {
-            int i = other.live.index(k);
-            memory.see(other.live.x[i], other.live.y[i], other.live.timeUs[i]);
+        LiveEvents its = other.recentring.live();
+        for (int k = 0; k < its.size(); k++) {
+            int i = its.index(k);
+            memory.see(its.x[i], its.y[i], its.timeUs[i]);
         }
-        live.expire(nowUs - lifetimeUs);
+        recentring.expire(nowUs);
         becomeAnother();
         return used;
     }
 
     /** Takes the density of now for the usual one; its motion is measured with the next event, once for all changes. */
     private void becomeAnother() {
-        density.start(live, measurement.lifetimePx());
-        sinceMeasured = live.size();
+        recentring.becomeAnother();
         askSoonForTwo();
     }
 
@@ -473,12 +383,13 @@ public final class TrackPlane {
      * @return whether there is one, which is to be given up to another plane
      */
     boolean findPart(Parting parting, MetricFit fit, long nowUs) {
-        if (state != State.TRACKED || live.thinning() > 1 || (nowUs - partingUs) * 1e-6 * speed() < PARTING_PX) {
+        if (state != State.TRACKED || recentring.live().thinning() > 1
+            || (nowUs - partingUs) * 1e-6 * speed() < PARTING_PX) {
             return false;
         }
         partingUs = nowUs;
-        boolean mayBeTwo = --untilTwo <= 0 && measurement.isPredictive() && measurement.isSharp();
-        boolean isFound = parting.find(live, motion, contour.radius(), mayBeTwo, fit);
+        boolean mayBeTwo = --untilTwo <= 0 && measurement().isPredictive() && measurement().isSharp();
+        boolean isFound = parting.find(recentring.live(), motion, contour.radius(), mayBeTwo, fit);
         if (mayBeTwo) {
             betweenTwo = parting.isClearlyOne() ? Math.min(MOST_TO_TWO, 2 * betweenTwo) : 1;
             untilTwo = betweenTwo;
@@ -489,6 +400,7 @@ public final class TrackPlane {
     /** Gives the part that was found up to another plane, whose motion is measured from its events. */
     void giveUp(Parting parting, TrackPlane to, MetricFit fit, long nowUs) {
         to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy, noisePerUs);
+        LiveEvents live = recentring.live();
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             if (parting.isOfPart(i)) {
@@ -507,13 +419,13 @@ public final class TrackPlane {
     /** Tracks on with other parameters. */
     void setParameters(SofasParameters.Track next) {
         p = next;
-        measurement.setParameters(next);
+        recentring.setParameters(next);
     }
 
     /** Lets all events go, so that the plane can serve another structure. */
     void clear() {
         contour.wipe();
-        live.clear();
+        recentring.live().clear();
     }
 
     /** What is known of the structure. */

@@ -1,0 +1,239 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.motion.Motion;
+
+/**
+ * The re-centring of a track plane (paper, section Track Plane): its live events, and its motion, measured from them
+ * again and again.
+ *
+ * <p>Ours: what is measured becomes the motion of the plane only once that takes it. So one thread may measure while
+ * another labels events along the motion that was measured before.
+ */
+final class Recentring {
+    /** A plane that gets no events is measured at the latest after this part of its lifetime, and this time. */
+    private static final int LATE_PART = 4;
+    private static final long LATE_US = 20_000;
+    /** Shortest window that shows a motion. */
+    private static final long SHORTEST_US = 10;
+    /** Longest lifetime: what stands still would keep its events for ever. */
+    private static final long MAX_LIFETIME_US = 1_000_000;
+    /** Part of the events in which a velocity was looked for that must be new to look again. */
+    private static final int LOOK_PART = 4;
+    /** Longest travel in px, and time, of a burst; longer ones would have edges that follow, and what sets off. */
+    private static final double BURST_PX = 0.5;
+    private static final long BURST_US = 1_500;
+
+    private final Measurement measurement;
+    private final EventDensity density = new EventDensity();
+    private final FreshVelocity fresh = new FreshVelocity();
+    private final Motion motion = new Motion();
+    private final Motion before = new Motion();
+    private SofasParameters.Track p;
+    private LiveEvents live = new LiveEvents();
+    private long lifetimeUs;
+    private int sinceMeasured;
+    private long measuredUs;
+    private long widenedUs;
+    /** When its velocity was looked for anew last. */
+    private long lookedUs;
+    /** Whether {@link #motion} is not taken yet, and whether it was measured, else held. */
+    private boolean isUntaken;
+    private boolean isMeasured;
+
+    Recentring(SofasParameters.Track p) {
+        this.p = p;
+        measurement = new Measurement(p);
+    }
+
+    /** Begins with a structure that has no events yet. */
+    void start(long nowUs) {
+        density.start();
+        live.clear();
+        measurement.restart();
+        sinceMeasured = 0;
+        measuredUs = nowUs;
+        widenedUs = nowUs;
+        lookedUs = nowUs;
+        isUntaken = false;
+    }
+
+    /** Goes on with other parameters. */
+    void setParameters(SofasParameters.Track next) {
+        p = next;
+        measurement.setParameters(next);
+    }
+
+    LiveEvents live() {
+        return live;
+    }
+
+    /** How the motion is measured, and what is known of it. */
+    Measurement measurement() {
+        return measurement;
+    }
+
+    /**
+     * Has events for the time in which the structure travels the lifetime's pixels, from a stand too if it speeds up.
+     *
+     * @return that time
+     */
+    long followLifetime(Motion along, double radius) {
+        double speed = along.speed(radius);
+        double spin = along.alpha * radius;
+        double gained = Math.sqrt(along.ax * along.ax + along.ay * along.ay + spin * spin)
+            * measurement.lifetimePx() / 2;
+        lifetimeUs = (long) Math.min(MAX_LIFETIME_US,
+            measurement.lifetimePx() / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
+        return lifetimeUs;
+    }
+
+    /** That time, as it is known now. */
+    long lifetimeUs() {
+        return lifetimeUs;
+    }
+
+    /** How long the bursts of its pixels last. */
+    long burstUs() {
+        return (long) Math.min(BURST_US, BURST_PX / measurement.lifetimePx() * lifetimeUs);
+    }
+
+    /**
+     * Adds an event, if it is the first one of a burst and of a tile that is measured.
+     *
+     * @return whether the motion is to be measured with it
+     */
+    boolean add(int x, int y, long timeUs, int polarity, Claim claim, int tile, Bursts bursts) {
+        if (!live.takes(tile) || !bursts.begins(x, y, timeUs, polarity, burstUs())) {
+            return false;
+        }
+        live.add(x, y, timeUs, polarity, claim, tile);
+        sinceMeasured++;
+        return isDue();
+    }
+
+    /** Whether enough events have come for the motion to be measured. */
+    boolean isDue() {
+        return sinceMeasured >= measurement.newsNeeded(live.size());
+    }
+
+    /** Whether the motion is to be measured because it was not for long. */
+    boolean isLate(long nowUs) {
+        long since = nowUs - measuredUs;
+        return sinceMeasured > 0 && since > LATE_US && since > lifetimeUs / LATE_PART;
+    }
+
+    /** Lets go the events of longer ago than the lifetime. */
+    void expire(long nowUs) {
+        live.expire(nowUs - lifetimeUs);
+    }
+
+    /** The same from time to time, and takes up the events of twice as many tiles where there are few. */
+    void goOn(long nowUs) {
+        expire(nowUs);
+        if (nowUs - widenedUs > lifetimeUs) {
+            // once per lifetime: the events of the tiles that are taken anew are complete only then
+            widenedUs = nowUs;
+            live.widen();
+        }
+    }
+
+    /** Whether the structure gets fewer events than its motion lets expect. */
+    boolean isStarved() {
+        return density.isStarved(live, measurement.lifetimePx(), p.minShare());
+    }
+
+    /** Takes what events there are for usual, unless they rush: returns whether they do not. */
+    boolean followDensity(Motion along, double radius, long nowUs) {
+        if (density.isRushed(live, along, radius, nowUs)) {
+            return false;
+        }
+        density.follow(live, measurement.lifetimePx());
+        return true;
+    }
+
+    /**
+     * Measures the motion over the live events.
+     *
+     * @param along the motion of the plane as it is known so far
+     */
+    void measure(Motion along, double radius, MetricFit fit, long nowUs) {
+        expire(nowUs);
+        sinceMeasured = 0;
+        measuredUs = nowUs;
+        if (live.size() == 0) {
+            return;
+        }
+        motion.copyFrom(along);
+        isUntaken = true;
+        isMeasured = false;
+        if (!followDensity(motion, radius, nowUs)) {
+            lookAnew(radius, fit, nowUs);
+        }
+        if (isStarved()) {
+            // what is left is noise, or too little: the motion is held
+            measurement.hold(motion);
+            measurement.judge(false, motion, live, radius, fit, nowUs);
+        } else if (nowUs - live.oldestUs() > SHORTEST_US) {
+            measurement.measure(motion, live, radius, fit, lifetimeUs, nowUs);
+            measurement.judge(true, motion, live, radius, fit, nowUs);
+            isMeasured = true;
+        }
+    }
+
+    /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
+    private void lookAnew(double radius, MetricFit fit, long nowUs) {
+        int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
+        int newest = Math.min(live.size(), usual);
+        long fromUs = live.newestFromUs(newest);
+        if (nowUs - lookedUs < (nowUs - fromUs) / LOOK_PART) {
+            return;
+        }
+        lookedUs = nowUs;
+        before.copyFrom(motion);
+        before.moveReference(nowUs);
+        if (fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, before, radius, fit)) {
+            live.keepNewest(newest);
+            motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
+            measurement.restart();
+            followLifetime(motion, radius);
+        }
+    }
+
+    /** Whether there is a motion that was not taken yet. */
+    boolean hasMotion() {
+        return isUntaken;
+    }
+
+    /** Whether it was measured; else it is held. */
+    boolean isMeasured() {
+        return isMeasured;
+    }
+
+    /** The motion as it is known now; if it was measured, its reference is the middle of the window. */
+    Motion takeMotion() {
+        isUntaken = false;
+        return motion;
+    }
+
+    /**
+     * Takes over the events of another plane; the motion of all, as it is known, is measured with the next event.
+     *
+     * @param spare a ring to put them in
+     * @return the ring that was used until now
+     */
+    LiveEvents merge(Recentring other, LiveEvents spare) {
+        measurement.takeCommon();
+        spare.fillFrom(live, other.live);
+        LiveEvents used = live;
+        live = spare;
+        return used;
+    }
+
+    /** Takes the density of now for the usual one; the motion is measured with the next event, once for all changes. */
+    void becomeAnother() {
+        density.start(live, measurement.lifetimePx());
+        sinceMeasured = live.size();
+    }
+}
