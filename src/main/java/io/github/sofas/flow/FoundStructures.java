@@ -1,6 +1,7 @@
 package io.github.sofas.flow;
 
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.search.Recognition;
 import io.github.sofas.flow.search.Structures;
 import io.github.sofas.flow.track.FoundPlanes;
 import io.github.sofas.flow.track.TrackPlane;
@@ -29,6 +30,27 @@ final class FoundStructures implements Structures {
     @Override
     public boolean takes(int x, int y, long timeUs, int polarity) {
         return planes.takes(x, y, timeUs, polarity);
+    }
+
+    @Override
+    public void tell(Recognition to, long nowUs) {
+        for (int i = 0; i < stack.size(); i++) {
+            TrackPlane plane = stack.plane(i);
+            if (plane.isPredictive() && plane.isVelocityKnown()) {
+                Recognition.Known known = to.know(plane.id(), plane.liveEvents());
+                known.motion().copyFrom(plane.motion());
+                plane.includeIn(known.box(), nowUs);
+            }
+        }
+    }
+
+    @Override
+    public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
+        for (int i = 0; i < stack.size(); i++) {
+            if (stack.plane(i).id() == id) {
+                stack.see(stack.plane(i), x, y, timeUs, polarity, nowUs);
+            }
+        }
     }
 
     /** A structure that is handed over. */

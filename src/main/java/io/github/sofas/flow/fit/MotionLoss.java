@@ -47,12 +47,20 @@ public final class MotionLoss {
         return Math.max(xx, yy);
     }
 
+    /** Loss per (px/s)² in the direction in which the velocity is known least: 0 along a straight edge. */
+    public double least() {
+        return (xx + yy) / 2 - departure();
+    }
+
     /** What is known across the best direction, as a share of what is known along it: 0 for a straight edge. */
     double flatness() {
-        double mean = (xx + yy) / 2;
+        return least() / Math.max((xx + yy) / 2 + departure(), Double.MIN_NORMAL);
+    }
+
+    /** How far the loss in the best direction, and in the one across it, departs from that of all in the mean. */
+    private double departure() {
         double dif = (xx - yy) / 2;
-        double root = Math.sqrt(dif * dif + xy * xy);
-        return (mean - root) / Math.max(mean + root, Double.MIN_NORMAL);
+        return Math.sqrt(dif * dif + xy * xy);
     }
 
     /** Loss by a velocity, a rotation and a growth that differ by these. */

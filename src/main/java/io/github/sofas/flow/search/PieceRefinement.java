@@ -130,6 +130,17 @@ final class PieceRefinement {
         return vy;
     }
 
+    /** Share of its metric that the structure loses along another velocity, in px/s; it is over. */
+    double shareLost(double otherVx, double otherVy) {
+        return 1 - fit.metric(otherVx, otherVy) / fit.metric(vx, vy);
+    }
+
+    /** Standard deviation of its metric, as a share of it. */
+    double noiseShare() {
+        double metric = fit.metric(vx, vy);
+        return MetricFit.sd(metric) / metric;
+    }
+
     /** Makes the next fit. */
     void step() {
         if (fits == 0 && stage == Stage.BEST) {

@@ -38,6 +38,7 @@ public final class StructureSearch {
     private final long[] refusedUntil;
     private final Pieces pieces;
     private final PieceRefinement refinement;
+    private final Recognition recognition;
     private final TakingOver takingOver;
     private final TakenEvents taken;
     private final MetricFit fit;
@@ -61,7 +62,7 @@ public final class StructureSearch {
     /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
         return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(Projections.cells(sensor))
-            + Surroundings.bytes(sensor);
+            + Surroundings.bytes(sensor) + Recognition.BYTES;
     }
 
     /**
@@ -83,6 +84,7 @@ public final class StructureSearch {
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
+        recognition = new Recognition(structures, events);
         taken = new TakenEvents(plane);
         takingOver = new TakingOver(plane, fit, structures, taken, budget);
     }
@@ -105,10 +107,14 @@ public final class StructureSearch {
     /**
      * The same.
      *
-     * @param spreads whether structures that are tracked may look around themselves; not while others track them
+     * @param spreads whether structures that are tracked may look around themselves, and be shown their parts; not
+     *     while others track them
      */
     void run(long measuringVotes, boolean spreads) {
         mayBeSpread = spreads;
+        if (spreads && recognition.waits()) {
+            recognition.show(plane.recent().newestUs());
+        }
         budget.earn(measuringVotes);
         if (stage == Stage.TAKING_OVER) {
             takingOver.earn();
@@ -120,9 +126,13 @@ public final class StructureSearch {
 
     /**
      * Lets a structure that is due begin to look around itself, unless a look is under way, and hands to one that is
-     * tracked some of what it has found there.
+     * tracked some of what it has found there. Shows structures the parts that they were recognised by, and looks what
+     * is tracked by now.
      */
     void spread() {
+        long nowUs = plane.recent().newestUs();
+        recognition.show(nowUs);
+        recognition.look(nowUs);
         if (stage == Stage.IDLE) {
             spreadsOn();
         }
@@ -267,9 +277,30 @@ public final class StructureSearch {
             if (!refinement.isStructure()) {
                 refuse();
             } else if (size >= p.minEvents() && !structures.isFull()) {
-                track();
+                recognise();
             }
         }
+    }
+
+    /** Has the piece shown to the structure that it is a part of; else it is a structure of its own. */
+    private void recognise() {
+        if (mayBeSpread) {
+            recognition.look(plane.recent().newestUs());
+        }
+        long before = fit.votes();
+        int known = recognition.structureOf(pieces.events(), from, size, refinement);
+        budget.spend(fit.votes() - before);
+        if (known == 0) {
+            track();
+            return;
+        }
+        taken.clear();
+        for (int a = from; a < from + size; a++) {
+            recognition.give(known, pieces.events()[a]);
+            taken.add(pieces.events()[a]);
+        }
+        budget.spend((long) taken.size() * n);
+        beginToTakeOut();
     }
 
     private void refuse() {
@@ -362,5 +393,6 @@ public final class StructureSearch {
         nextLook = 0;
         budget.clear();
         takingOver.clear();
+        recognition.clear();
     }
 }

@@ -13,6 +13,19 @@ public interface Structures {
     /** Whether one of the structures that were handed over of late expects an event, and takes it. */
     boolean takes(int x, int y, long timeUs, int polarity);
 
+    /**
+     * Tells of those that are tracked, whose motions predict their events and are known along both axes; not while
+     * others track them.
+     */
+    void tell(Recognition to, long nowUs);
+
+    /**
+     * Notes an event of the past on the contour of one that is tracked, if it still is; not while others track it.
+     *
+     * @param id as it was told of
+     */
+    void see(int id, int x, int y, long timeUs, int polarity, long nowUs);
+
     /** A structure that is handed over. */
     interface Structure {
         /** Hands over an event of the structure's past, in order of time. */

@@ -30,7 +30,7 @@ final class Merging {
 
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
     boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
-        if (!a.hasLiveEvents() && !b.hasLiveEvents() || !a.measurement().isSharp() || !b.measurement().isSharp()) {
+        if (a.liveEvents() == 0 && b.liveEvents() == 0 || !a.measurement().isSharp() || !b.measurement().isSharp()) {
             return false;
         }
         boolean touch = a.contour().isWithin(GAP_PX, b.contour(), nowUs);

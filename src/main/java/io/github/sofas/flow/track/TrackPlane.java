@@ -4,6 +4,8 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
+import io.github.sofas.flow.fit.MotionLoss;
+import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.MeasuredMotions;
 import io.github.sofas.flow.motion.Motion;
 
@@ -33,6 +35,8 @@ public final class TrackPlane {
     private static final double PARTING_PX = 4;
     /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
     private static final int MOST_TO_TWO = 8;
+    /** Standard deviations of the metric that a shift of both ends of the window by a pixel loses where it is known. */
+    private static final double KNOWN_SIGMAS = 1;
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
@@ -141,9 +145,16 @@ public final class TrackPlane {
         return contour;
     }
 
-    /** Whether it has events that its motion can be measured from. */
-    boolean hasLiveEvents() {
-        return recentring.live().size() > 0;
+    /** Whether its velocity is known along both axes: that of a straight edge is not along the edge. */
+    public boolean isVelocityKnown() {
+        MotionLoss loss = measurement().loss();
+        double px = 2e6 / lifetimeUs;
+        return loss.least() * px * px > KNOWN_SIGMAS * MetricFit.sd(loss.metric);
+    }
+
+    /** How many live events its structure gave, of which some may not be measured. */
+    public long liveEvents() {
+        return recentring.live().given();
     }
 
     /** Speed of its contour in px/s, root of the mean square. */
@@ -220,6 +231,14 @@ public final class TrackPlane {
             && y >= contour.top(nowUs) - marginPx && y <= contour.bottom(nowUs) + marginPx;
     }
 
+    /** Widens a box so that it holds the contour. */
+    public void includeIn(Bounds box, long nowUs) {
+        if (!contour.isEmpty()) {
+            box.include(contour.left(nowUs), contour.top(nowUs));
+            box.include(contour.right(nowUs), contour.bottom(nowUs));
+        }
+    }
+
     /**
      * Takes an event, and measures the motion when enough have come.
      *
@@ -246,7 +265,7 @@ public final class TrackPlane {
     }
 
     /** Whether its motion tells where its events come from: else they get no flow until it does again. */
-    boolean isPredictive() {
+    public boolean isPredictive() {
         return recentring.measurement().isPredictive() && !adrift;
     }
 

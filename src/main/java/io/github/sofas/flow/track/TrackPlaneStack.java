@@ -238,6 +238,16 @@ public final class TrackPlaneStack {
         return false;
     }
 
+    /** How many planes are tracked. */
+    public int size() {
+        return size;
+    }
+
+    /** One of them, in no order. */
+    public TrackPlane plane(int i) {
+        return planes[i];
+    }
+
     /**
      * Tracks the planes that were found; from then on as many may be found as there is room for. Where parts of others
      * took that meanwhile, what was found last is let go.

@@ -37,6 +37,15 @@ public class StructureSearchTest {
         }
 
         @Override
+        public void tell(Recognition to, long nowUs) {
+        }
+
+        @Override
+        public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
+            throw new AssertionError("none is known");
+        }
+
+        @Override
         public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
             return this;
         }
@@ -227,6 +236,74 @@ public class StructureSearchTest {
         looks.addFlicker(400, nowUs);
         assertTrue(looks.look(nowUs + 80_000) > 0);
         assertEquals(0, looks.structures.begun);
+    }
+
+    /** Knows structure 7, which is everywhere and moves right at 100 px/s, and counts the events that it is shown. */
+    private static final class OneKnown extends AllStructures {
+        private int seen;
+
+        @Override
+        public void tell(Recognition to, long nowUs) {
+            Recognition.Known known = to.know(7, 10_000);
+            known.motion().set(nowUs, 100, 0);
+            known.box().include(0, 0);
+            known.box().include(SENSOR.width(), SENSOR.height());
+        }
+
+        @Override
+        public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
+            assertEquals(7, id);
+            seen++;
+        }
+    }
+
+    /** A search for an edge that moves as structure 7 does. */
+    private static StructureSearch searchForPart(OneKnown structures) {
+        FlowPlane plane = new FlowPlane(SENSOR.width(), SENSOR.height(), P.search());
+        MetricFit fit = new MetricFit(SENSOR.width(), SENSOR.height(), MetricFit.CELL_PX, 4096, 300);
+        for (Event e : Streams.edge(4, 9, ROWS, 0, 10_000)) {
+            plane.add(e.x(), e.y(), e.timeUs(), e.polarity());
+        }
+        plane.settle(81_000);
+        return new StructureSearch(plane, P.search(), fit, structures, 0);
+    }
+
+    private static void look(StructureSearch search, boolean nobodyTracks) {
+        for (int i = 0; i < 2_000; i++) {
+            search.run(0, nobodyTracks);
+        }
+    }
+
+    @Test
+    public void partOfAStructureThatIsTrackedIsShownToItOnce() {
+        OneKnown structures = new OneKnown();
+        StructureSearch search = searchForPart(structures);
+        look(search, true);
+        int seen = structures.seen;
+        // its own 6 px of travel, at least
+        assertTrue("seen " + seen, seen >= 6 * ROWS);
+        look(search, true);
+        assertEquals(seen, structures.seen);
+        assertEquals(0, structures.begun);
+    }
+
+    @Test
+    public void whileOthersTrackAStructureItsPartsWait() {
+        OneKnown structures = new OneKnown();
+        StructureSearch search = searchForPart(structures);
+        search.spread();
+        look(search, false);
+        assertEquals(0, structures.seen);
+        search.spread();
+        assertTrue(structures.seen >= 6 * ROWS);
+        assertEquals(0, structures.begun);
+        // or until others do no longer
+        structures = new OneKnown();
+        search = searchForPart(structures);
+        search.spread();
+        look(search, false);
+        look(search, true);
+        assertTrue(structures.seen >= 6 * ROWS);
     }
 
     /** Counts the events that a structure is handed. */

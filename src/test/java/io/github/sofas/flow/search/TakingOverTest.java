@@ -46,6 +46,15 @@ public class TakingOverTest {
         }
 
         @Override
+        public void tell(Recognition to, long nowUs) {
+        }
+
+        @Override
+        public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
+            throw new AssertionError("none is known");
+        }
+
+        @Override
         public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
             return this;
         }

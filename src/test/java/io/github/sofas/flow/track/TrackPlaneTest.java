@@ -375,4 +375,24 @@ public class TrackPlaneTest {
         assertTrue(plane.support(102, 27, 40_000, 1) > 0);
         assertEquals("those of the part", 0, plane.support(70, 70, 40_000, 1));
     }
+
+    @Test
+    public void velocityOfAStraightEdgeIsNotKnownAlongIt() {
+        // upright, 100 px/s to the right
+        plane.start(1_000_000, 100, 0, 0);
+        for (int i = 0; i < 240; i++) {
+            plane.addPast(20 + i / 30, 30 + i % 30, 1_000_000 + i / 30 * 10_000, 1, true);
+        }
+        plane.recentre(fit, 1_080_000);
+        assertFalse(plane.isVelocityKnown());
+        // a right angle, as fast downwards
+        plane.start(1_000_000, 100, 100, 0);
+        for (int i = 0; i < 240; i++) {
+            int step = i / 30;
+            plane.addPast(20 + step + i % 30, 30 + step, 1_000_000 + step * 10_000, 1, true);
+            plane.addPast(20 + step, 31 + step + i % 30, 1_000_000 + step * 10_000, 1, true);
+        }
+        plane.recentre(fit, 1_080_000);
+        assertTrue(plane.isVelocityKnown());
+    }
 }
