@@ -5,11 +5,8 @@ import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * The re-centring of a track plane (paper, section Track Plane): its live events, and its motion, measured from them
- * again and again.
- *
- * <p>Ours: what is measured becomes the motion of the plane only once that takes it. So one thread may measure while
- * another labels events along the motion that was measured before.
+ * The re-centring of a track plane (paper, section Track Plane): its live events, and when and how its motion is
+ * measured from them.
  */
 final class Recentring {
     /** A plane that gets no events is measured at the latest after this part of its lifetime, and this time. */
@@ -28,8 +25,6 @@ final class Recentring {
     private final Measurement measurement;
     private final EventDensity density = new EventDensity();
     private final FreshVelocity fresh = new FreshVelocity();
-    private final Motion motion = new Motion();
-    private final Motion before = new Motion();
     private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private long lifetimeUs;
@@ -38,9 +33,6 @@ final class Recentring {
     private long widenedUs;
     /** When its velocity was looked for anew last. */
     private long lookedUs;
-    /** Whether {@link #motion} is not taken yet, and whether it was measured, else held. */
-    private boolean isUntaken;
-    private boolean isMeasured;
 
     Recentring(SofasParameters.Track p) {
         this.p = p;
@@ -56,7 +48,6 @@ final class Recentring {
         measuredUs = nowUs;
         widenedUs = nowUs;
         lookedUs = nowUs;
-        isUntaken = false;
     }
 
     /** Goes on with other parameters. */
@@ -74,19 +65,14 @@ final class Recentring {
         return measurement;
     }
 
-    /**
-     * Has events for the time in which the structure travels the lifetime's pixels, from a stand too if it speeds up.
-     *
-     * @return that time
-     */
-    long followLifetime(Motion along, double radius) {
+    /** Keeps events for the time in which the structure travels the lifetime's pixels, also from a stand. */
+    void followLifetime(Motion along, double radius) {
         double speed = along.speed(radius);
         double spin = along.alpha * radius;
         double gained = Math.sqrt(along.ax * along.ax + along.ay * along.ay + spin * spin)
             * measurement.lifetimePx() / 2;
         lifetimeUs = (long) Math.min(MAX_LIFETIME_US,
             measurement.lifetimePx() / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
-        return lifetimeUs;
     }
 
     /** That time, as it is known now. */
@@ -110,11 +96,6 @@ final class Recentring {
         }
         live.add(x, y, timeUs, polarity, claim, tile);
         sinceMeasured++;
-        return isDue();
-    }
-
-    /** Whether enough events have come for the motion to be measured. */
-    boolean isDue() {
         return sinceMeasured >= measurement.newsNeeded(live.size());
     }
 
@@ -153,37 +134,40 @@ final class Recentring {
         return true;
     }
 
-    /**
-     * Measures the motion over the live events.
-     *
-     * @param along the motion of the plane as it is known so far
-     */
-    void measure(Motion along, double radius, MetricFit fit, long nowUs) {
+    /** Begins to measure; returns whether there are live events. */
+    boolean begin(long nowUs) {
         expire(nowUs);
         sinceMeasured = 0;
         measuredUs = nowUs;
-        if (live.size() == 0) {
-            return;
-        }
-        motion.copyFrom(along);
-        isUntaken = true;
-        isMeasured = false;
+        return live.size() > 0;
+    }
+
+    /**
+     * Measures a motion over the live events, or holds it where they are too few.
+     *
+     * @param before the motion as it was, with its reference at now
+     * @return whether it was measured: then its reference is the middle of the window
+     */
+    boolean measure(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
         if (!followDensity(motion, radius, nowUs)) {
-            lookAnew(radius, fit, nowUs);
+            lookAnew(motion, before, radius, fit, nowUs);
         }
         if (isStarved()) {
-            // what is left is noise, or too little: the motion is held
+            // what is left is noise, or too little
             measurement.hold(motion);
             measurement.judge(false, motion, live, radius, fit, nowUs);
-        } else if (nowUs - live.oldestUs() > SHORTEST_US) {
-            measurement.measure(motion, live, radius, fit, lifetimeUs, nowUs);
-            measurement.judge(true, motion, live, radius, fit, nowUs);
-            isMeasured = true;
+            return false;
         }
+        if (nowUs - live.oldestUs() <= SHORTEST_US) {
+            return false;
+        }
+        measurement.measure(motion, live, radius, fit, lifetimeUs, nowUs);
+        measurement.judge(true, motion, live, radius, fit, nowUs);
+        return true;
     }
 
     /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
-    private void lookAnew(double radius, MetricFit fit, long nowUs) {
+    private void lookAnew(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
         int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
         int newest = Math.min(live.size(), usual);
         long fromUs = live.newestFromUs(newest);
@@ -191,30 +175,12 @@ final class Recentring {
             return;
         }
         lookedUs = nowUs;
-        before.copyFrom(motion);
-        before.moveReference(nowUs);
         if (fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, before, radius, fit)) {
             live.keepNewest(newest);
             motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
             measurement.restart();
             followLifetime(motion, radius);
         }
-    }
-
-    /** Whether there is a motion that was not taken yet. */
-    boolean hasMotion() {
-        return isUntaken;
-    }
-
-    /** Whether it was measured; else it is held. */
-    boolean isMeasured() {
-        return isMeasured;
-    }
-
-    /** The motion as it is known now; if it was measured, its reference is the middle of the window. */
-    Motion takeMotion() {
-        isUntaken = false;
-        return motion;
     }
 
     /**

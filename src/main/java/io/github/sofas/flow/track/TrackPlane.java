@@ -68,7 +68,6 @@ public final class TrackPlane {
     /** Whether it is waited for along a motion that was not measured. */
     private boolean adrift;
 
-    private long lifetimeUs;
     /** How many noise events a pixel gave of either polarity last, per µs. */
     private double noisePerUs;
     /** When it was looked for a part last. */
@@ -110,7 +109,7 @@ public final class TrackPlane {
         contour.start(motion);
         memory.start(motion);
         recentring.start(nowUs);
-        lifetimeUs = recentring.followLifetime(motion, contour.radius());
+        recentring.followLifetime(motion, contour.radius());
         partingUs = nowUs;
         askSoonForTwo();
     }
@@ -148,7 +147,7 @@ public final class TrackPlane {
     /** Whether its velocity is known along both axes: that of a straight edge is not along the edge. */
     public boolean isVelocityKnown() {
         MotionLoss loss = measurement().loss();
-        double px = 2e6 / lifetimeUs;
+        double px = 2e6 / lifetimeUs();
         return loss.least() * px * px > KNOWN_SIGMAS * MetricFit.sd(loss.metric);
     }
 
@@ -188,7 +187,7 @@ public final class TrackPlane {
     }
 
     long lifetimeUs() {
-        return lifetimeUs;
+        return recentring.lifetimeUs();
     }
 
     /** How long the bursts of its pixels last. */
@@ -198,7 +197,7 @@ public final class TrackPlane {
 
     /** Time for which the contour holds events: the lifetime, less where noise would fill it. */
     private long contourUs() {
-        return Math.min(lifetimeUs, Math.max(lifetimeUs / CONTOUR_PART, Noise.mostUs(noisePerUs)));
+        return Math.min(lifetimeUs(), Math.max(lifetimeUs() / CONTOUR_PART, Noise.mostUs(noisePerUs)));
     }
 
     /** How many of the cells around an event the structure was seen on not long ago; 0 where they are too few. */
@@ -291,7 +290,7 @@ public final class TrackPlane {
         if (state == State.WAITED_FOR && (nowUs - waitingSinceUs >= memoryUs() || hasLeft(nowUs))) {
             state = State.ENDED;
         }
-        adrift = state == State.WAITED_FOR && nowUs - waitingSinceUs >= lifetimeUs / ADRIFT_PART
+        adrift = state == State.WAITED_FOR && nowUs - waitingSinceUs >= lifetimeUs() / ADRIFT_PART
             && measured.isOther(motion);
         return state;
     }
@@ -310,21 +309,19 @@ public final class TrackPlane {
 
     /** Measures the motion over the live events, and lets contour and memory follow it. */
     void recentre(MetricFit fit, long nowUs) {
-        recentring.measure(motion, contour.radius(), fit, nowUs);
-        if (recentring.hasMotion()) {
-            carryOn(nowUs);
+        if (!recentring.begin(nowUs)) {
+            return;
         }
+        before.copyFrom(motion);
+        before.moveReference(nowUs);
+        if (recentring.measure(motion, before, contour.radius(), fit, nowUs)) {
+            measured.take(motion);
+        }
+        carryOn(nowUs);
     }
 
     /** Goes on along the motion as it is known now. */
     private void carryOn(long nowUs) {
-        before.copyFrom(motion);
-        before.moveReference(nowUs);
-        motion.copyFrom(recentring.takeMotion());
-        lifetimeUs = recentring.lifetimeUs();
-        if (recentring.isMeasured()) {
-            measured.take(motion);
-        }
         motion.moveReference(nowUs);
         if (recentring.live().thinning() == 1 && isMovedOff()) {
             contour.draw(recentring.live(), motion, contourUs());
@@ -339,14 +336,14 @@ public final class TrackPlane {
     private void followContour() {
         contour.measure(recentring.live(), motion, Noise.support(noisePerUs, contourUs()));
         motion.moveCentre(contour.centreX(), contour.centreY());
-        lifetimeUs = recentring.followLifetime(motion, contour.radius());
+        recentring.followLifetime(motion, contour.radius());
         memory.follow(motion, memoryUs());
     }
 
     /** Whether the motion was corrected by so much that the contour no longer lies where it is. */
     private boolean isMovedOff() {
         return contour.isEmpty()
-            || motion.speedFrom(before, contour.radius()) * (lifetimeUs * 0.5e-6) > Contour.REDRAWN_PX;
+            || motion.speedFrom(before, contour.radius()) * (lifetimeUs() * 0.5e-6) > Contour.REDRAWN_PX;
     }
 
     /** Time in which the structure travels the pixels that it remembers its contour for. */
