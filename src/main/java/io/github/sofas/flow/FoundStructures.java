@@ -46,10 +46,9 @@ final class FoundStructures implements Structures {
 
     @Override
     public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
-        for (int i = 0; i < stack.size(); i++) {
-            if (stack.plane(i).id() == id) {
-                stack.see(stack.plane(i), x, y, timeUs, polarity, nowUs);
-            }
+        TrackPlane plane = stack.planeOf(id);
+        if (plane != null) {
+            stack.see(plane, x, y, timeUs, polarity, nowUs);
         }
     }
 

@@ -49,18 +49,13 @@ public final class MotionLoss {
 
     /** Loss per (px/s)² in the direction in which the velocity is known least: 0 along a straight edge. */
     public double least() {
-        return (xx + yy) / 2 - departure();
+        return (xx + yy) / 2 - VelocityTop.unevenness(xx, xy, yy);
     }
 
     /** What is known across the best direction, as a share of what is known along it: 0 for a straight edge. */
     double flatness() {
-        return least() / Math.max((xx + yy) / 2 + departure(), Double.MIN_NORMAL);
-    }
-
-    /** How far the loss in the best direction, and in the one across it, departs from that of all in the mean. */
-    private double departure() {
-        double dif = (xx - yy) / 2;
-        return Math.sqrt(dif * dif + xy * xy);
+        double most = (xx + yy) / 2 + VelocityTop.unevenness(xx, xy, yy);
+        return least() / Math.max(most, Double.MIN_NORMAL);
     }
 
     /** Loss by a velocity, a rotation and a growth that differ by these. */

@@ -92,18 +92,18 @@ public final class VelocityTop {
 
     /** Loss of metric per (px/s)² along the best known direction. */
     public double bestLoss() {
-        return (lossXx + lossYy) / 2 + unevenness();
+        return (lossXx + lossYy) / 2 + unevenness(lossXx, lossXy, lossYy);
     }
 
     /** Loss of metric per (px/s)² along the direction that is known least. */
     public double leastLoss() {
-        return (lossXx + lossYy) / 2 - unevenness();
+        return (lossXx + lossYy) / 2 - unevenness(lossXx, lossXy, lossYy);
     }
 
-    /** Half of what the losses along the two axes differ by. */
-    private double unevenness() {
-        double dif = (lossXx - lossYy) / 2;
-        return Math.sqrt(dif * dif + lossXy * lossXy);
+    /** Half of what the losses along the best known direction and across it differ by. */
+    static double unevenness(double xx, double xy, double yy) {
+        double dif = (xx - yy) / 2;
+        return Math.sqrt(dif * dif + xy * xy);
     }
 
     /** Direction in which the velocity is known best, x of a unit vector. */

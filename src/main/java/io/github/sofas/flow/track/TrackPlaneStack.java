@@ -248,6 +248,16 @@ public final class TrackPlaneStack {
         return planes[i];
     }
 
+    /** The plane that is tracked under a number; null for none. */
+    public TrackPlane planeOf(int id) {
+        for (int i = 0; i < size; i++) {
+            if (planes[i].id() == id) {
+                return planes[i];
+            }
+        }
+        return null;
+    }
+
     /**
      * Tracks the planes that were found; from then on as many may be found as there is room for. Where parts of others
      * took that meanwhile, what was found last is let go.
@@ -309,10 +319,9 @@ public final class TrackPlaneStack {
 
     /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
     public void contour(int id, long nowUs, PixelConsumer pixels) {
-        for (int i = 0; i < size; i++) {
-            if (planes[i].id() == id) {
-                planes[i].contour().show(nowUs, pixels);
-            }
+        TrackPlane plane = planeOf(id);
+        if (plane != null) {
+            plane.contour().show(nowUs, pixels);
         }
     }
 

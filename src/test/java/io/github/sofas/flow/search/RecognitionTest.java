@@ -27,24 +27,14 @@ public class RecognitionTest {
     private final Recognition recognition = new Recognition(new Seeing(), plane.events());
 
     /** Knows nothing by itself, and notes which structures see events. */
-    private final class Seeing implements Structures {
-        @Override
-        public boolean isFull() {
-            return false;
+    private final class Seeing extends StructureThatMoves {
+        Seeing() {
+            super(0);
         }
 
         @Override
         public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
             throw new AssertionError("nothing is to be made");
-        }
-
-        @Override
-        public boolean takes(int x, int y, long timeUs, int polarity) {
-            return false;
-        }
-
-        @Override
-        public void tell(Recognition to, long nowUs) {
         }
 
         @Override

@@ -19,35 +19,11 @@ public class StructureSearchTest {
     private static final int ROWS = 30;
 
     /** Takes every structure, and counts them. */
-    private static class AllStructures extends StructureThatMoves implements Structures {
+    private static class AllStructures extends StructureThatMoves {
         int begun;
 
         AllStructures() {
             super(100);
-        }
-
-        @Override
-        public boolean isFull() {
-            return false;
-        }
-
-        @Override
-        public boolean takes(int x, int y, long timeUs, int polarity) {
-            return false;
-        }
-
-        @Override
-        public void tell(Recognition to, long nowUs) {
-        }
-
-        @Override
-        public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
-            throw new AssertionError("none is known");
-        }
-
-        @Override
-        public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
-            return this;
         }
 
         @Override

@@ -2,12 +2,39 @@ package io.github.sofas.flow.search;
 
 import io.github.sofas.flow.motion.Motion;
 
-/** A structure that is tracked, moves right at a speed, and takes nothing: what tests of the search extend. */
-class StructureThatMoves implements Structures.Structure {
+/**
+ * A structure that is tracked, moves right at a speed, and takes nothing, and who tracks it, and is told of nothing:
+ * what tests of the search extend.
+ */
+class StructureThatMoves implements Structures.Structure, Structures {
     private final double speed;
 
     StructureThatMoves(double speed) {
         this.speed = speed;
+    }
+
+    @Override
+    public boolean isFull() {
+        return false;
+    }
+
+    @Override
+    public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
+        return this;
+    }
+
+    @Override
+    public boolean takes(int x, int y, long timeUs, int polarity) {
+        return false;
+    }
+
+    @Override
+    public void tell(Recognition to, long nowUs) {
+    }
+
+    @Override
+    public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
+        throw new AssertionError("none is known");
     }
 
     @Override

@@ -24,7 +24,7 @@ public class TakingOverTest {
     private final TakingOver takingOver = new TakingOver(plane, fit, structure, taken, new VoteBudget(0));
 
     /** A structure of 100 px/s that counts what it gets, and who tracks it. */
-    private static final class OneStructure extends StructureThatMoves implements Structures {
+    private static final class OneStructure extends StructureThatMoves {
         private int handed;
         private int seen;
         private boolean begun;
@@ -43,25 +43,6 @@ public class TakingOverTest {
         @Override
         public boolean isTracked() {
             return begun && !lost;
-        }
-
-        @Override
-        public void tell(Recognition to, long nowUs) {
-        }
-
-        @Override
-        public void see(int id, int x, int y, long timeUs, int polarity, long nowUs) {
-            throw new AssertionError("none is known");
-        }
-
-        @Override
-        public Structure create(long nowUs, double vxPxPerS, double vyPxPerS) {
-            return this;
-        }
-
-        @Override
-        public boolean takes(int x, int y, long timeUs, int polarity) {
-            return false;
         }
 
         @Override
