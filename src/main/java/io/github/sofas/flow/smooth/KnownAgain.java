@@ -37,9 +37,8 @@ final class KnownAgain {
     private final Motion along = new Motion();
     private final Motion last = new Motion();
     private final Motion first = new Motion();
-    // of the one that was lost: until when it was seen well, and its events in the slices since the other began
+    /** Until when the one that was lost was seen well. */
     private long seenUs;
-    private long eventsSince;
 
     KnownAgain(SensorSize sensor, EventWindow window) {
         this.window = window;
@@ -88,22 +87,27 @@ final class KnownAgain {
             return false;
         }
         int most = 0;
-        long others = 0;
-        eventsSince = 0;
         for (Slice slice : slices) {
             PixelBox box = slice.box(lost.id());
-            if (slice.fromUs >= begun.firstSeenUs()) {
-                PixelBox other = slice.box(begun.id());
-                eventsSince += box == null ? 0 : box.events;
-                others += other == null ? 0 : other.events;
-            } else if (box != null) {
+            if (slice.fromUs < begun.firstSeenUs() && box != null) {
                 most = Math.max(most, box.events);
                 if (box.events > STRONG * most) {
                     seenUs = Math.min(slice.untilUs, begun.firstSeenUs());
                 }
             }
         }
-        return most >= LEAST && eventsSince <= LEFT * others;
+        return most >= LEAST
+            && events(lost, begun.firstSeenUs(), slices) <= LEFT * events(begun, begun.firstSeenUs(), slices);
+    }
+
+    /** Events of a segment from a time on. */
+    private int events(SegmentPath path, long fromUs, List<Slice> slices) {
+        int events = 0;
+        cursor.begin(slices, path.id(), fromUs, Long.MAX_VALUE);
+        while (cursor.next() != SegmentCursor.NONE) {
+            events++;
+        }
+        return events;
     }
 
     /** Whether the lost one was, or would be, about where the other began, however its motion changed meanwhile. */
