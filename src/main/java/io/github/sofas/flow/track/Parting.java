@@ -3,6 +3,7 @@ package io.github.sofas.flow.track;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.PixelBox;
 import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 
@@ -44,6 +45,8 @@ final class Parting {
     private final int[] sizes;
     /** Cells of a part whose neighbours are not looked at yet. */
     private final int[] waiting;
+    /** Around the cells that have any events: of a large sensor, a small structure has few. */
+    private final PixelBox box = new PixelBox();
     /** Cell of each live event, by its index. */
     private final int[] cells = new int[LiveEvents.CAPACITY];
     private final Motion along = new Motion();
@@ -156,7 +159,7 @@ final class Parting {
 
     /** Notes on which cell each event falls, and counts those of each cell that the structure alone claims. */
     private void layOnCells(LiveEvents live, double radius) {
-        Arrays.fill(events, 0);
+        wipe();
         begin(live, radius);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
@@ -168,17 +171,28 @@ final class Parting {
             cells[i] = isInside ? row * columns + column : NOWHERE;
             if (isInside && live.claim(i) == Claim.OWN) {
                 events[cells[i]]++;
+                box.add(column, row);
             }
         }
     }
 
+    /** Forgets events and parts. */
+    private void wipe() {
+        for (int row = box.top; row <= box.bottom; row++) {
+            Arrays.fill(events, row * columns + box.left, row * columns + box.right + 1, 0);
+            Arrays.fill(parts, row * columns + box.left, row * columns + box.right + 1, NONE);
+        }
+        box.clear();
+    }
+
     /** Numbers the parts: cells with events that touch; returns how many there are. */
     private int connect() {
-        Arrays.fill(parts, NONE);
         int count = 0;
-        for (int cell = 0; cell < events.length; cell++) {
-            if (isFree(cell)) {
-                sizes[++count] = spread(cell, count);
+        for (int row = box.top; row <= box.bottom; row++) {
+            for (int cell = row * columns + box.left; cell <= row * columns + box.right; cell++) {
+                if (isFree(cell)) {
+                    sizes[++count] = spread(cell, count);
+                }
             }
         }
         return count;
