@@ -105,7 +105,7 @@ final class Competition {
         beginUs = slices.get(0).from == 0 ? window.timeUs[window.at(0)] : Long.MIN_VALUE;
         endUs = isComplete ? window.timeUs[window.at(window.end() - 1)] : Long.MAX_VALUE;
         for (SegmentPath path : paths) {
-            if (!slice.has(path.id()) && findBox(path, slices, index)) {
+            if ((!slice.has(path.id()) || path.isFirstSeenIn(slice)) && findBox(path, slices, index)) {
                 slice.open(tile(left, slice.columns()), tile(top, slice.rows()), tile(right, slice.columns()),
                     tile(bottom, slice.rows()));
             }

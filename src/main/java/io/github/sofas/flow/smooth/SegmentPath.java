@@ -95,6 +95,11 @@ final class SegmentPath {
         return firstSeenUs;
     }
 
+    /** Whether the causal labels give it events of a slice, but none at its beginning or before. */
+    boolean isFirstSeenIn(Slice slice) {
+        return firstSeenUs > slice.fromUs && firstSeenUs < slice.untilUs;
+    }
+
     /** The earliest motion that is known. */
     Motion first() {
         return knots.get(0);

@@ -164,7 +164,7 @@ final class Slice {
     }
 
     /**
-     * Opens the tiles of a box, which a segment may have events in that was not found yet, or was lost.
+     * Opens the tiles of a box, which a segment may have events in that was found later, or was lost.
      *
      * @param left column of its first tiles; right is that of its last ones, and so on
      */

@@ -102,6 +102,34 @@ public class CompetitionTest {
     }
 
     @Test
+    public void eventsOfJustBeforeASegmentWasFoundAreLabelled() {
+        addPath(1, 100, 20);
+        // found a column after the second slice, of ten columns, began: of what is about there, a tenth has no label
+        long foundUs = 11 * COLUMN_US;
+        paths.get(0).see(foundUs);
+        long from = 0;
+        for (int c = 0; c < 30; c++) {
+            for (int y = 20; y < 40; y++) {
+                int label = c * COLUMN_US < foundUs ? 0 : 1;
+                window.give(window.add(c * COLUMN_US, 0, 20 + c, y, 1), label, label);
+            }
+            if ((c + 1) % 10 == 0) {
+                slices.add(new Slice(window, SENSOR, from, (c - 9) * COLUMN_US, (c + 1) * COLUMN_US, 0));
+                from = window.end();
+            }
+        }
+        assertFalse(slices.get(1).isOpen(0));
+        for (int k = slices.size() - 1; k >= 0; k--) {
+            competition.decide(slices, k, paths, 200_000, false);
+        }
+        int count = 0;
+        for (long i = 0; i < window.end(); i++) {
+            count += window.segment[window.at(i)];
+        }
+        assertEquals(30 * 20, count);
+    }
+
+    @Test
     public void eventsThatAnotherHadBeforeASegmentWasFoundAreIts() {
         film(30, 1, 2);
         // until 150 ms the edges are a tile apart, and nothing tells that another segment may have events there
