@@ -55,10 +55,11 @@ final class KnownAgain {
      */
     SegmentPath find(SegmentPath begun, Iterable<SegmentPath> paths, List<Slice> slices) {
         boolean isDrawn = false;
+        double mayBeLeft = 0;
         SegmentPath best = null;
         double greatest = LEAST_AGREEMENT;
         for (SegmentPath lost : paths) {
-            if (!mayBeLost(lost, begun, slices)) {
+            if (!wasSeenBefore(lost, begun, slices)) {
                 continue;
             }
             if (!isDrawn) {
@@ -67,7 +68,11 @@ final class KnownAgain {
                 if (begunPicture.events() < LEAST) {
                     return null;
                 }
+                mayBeLeft = LEFT * events(begun, begun.firstSeenUs(), slices);
                 isDrawn = true;
+            }
+            if (events(lost, begun.firstSeenUs(), slices) > mayBeLeft) {
+                continue;
             }
             lost.at(seenUs, last);
             draw(lost, last, -1, slices, lostPicture);
@@ -81,7 +86,8 @@ final class KnownAgain {
         return best;
     }
 
-    private boolean mayBeLost(SegmentPath lost, SegmentPath begun, List<Slice> slices) {
+    /** Whether there is a contour of another from before a segment began; notes until when that was seen well. */
+    private boolean wasSeenBefore(SegmentPath lost, SegmentPath begun, List<Slice> slices) {
         if (lost == begun || !lost.isMeasured() || lost.hasEnded()
                 || lost.first().referenceUs >= begun.first().referenceUs) {
             return false;
@@ -96,8 +102,7 @@ final class KnownAgain {
                 }
             }
         }
-        return most >= LEAST
-            && events(lost, begun.firstSeenUs(), slices) <= LEFT * events(begun, begun.firstSeenUs(), slices);
+        return most >= LEAST;
     }
 
     /** Events of a segment from a time on. */
