@@ -34,13 +34,15 @@ public final class SteppedProjection {
         untilUs = -1;
     }
 
-    /** Goes on to the time of the next event. */
-    public void advance(long timeUs) {
-        if (timeUs > untilUs || timeUs < fromUs) {
-            fromUs = timeUs;
-            untilUs = timeUs + stepUs;
-            step((timeUs + stepUs / 2 - motion.referenceUs) * 1e-6);
+    /** Goes on to the time of the next event; returns whether that takes another step. */
+    public boolean advance(long timeUs) {
+        if (timeUs <= untilUs && timeUs >= fromUs) {
+            return false;
         }
+        fromUs = timeUs;
+        untilUs = timeUs + stepUs;
+        step((timeUs + stepUs / 2 - motion.referenceUs) * 1e-6);
+        return true;
     }
 
     /** Goes to a time exactly, for what happens once and must not drift by half a step. */

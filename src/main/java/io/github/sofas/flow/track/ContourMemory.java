@@ -18,12 +18,13 @@ final class ContourMemory {
     private static final int NEVER = Integer.MIN_VALUE / 2;
     /** Cells of the four around an event that must be remembered: an edge passes through two. */
     private static final int LEAST_CELLS = 2;
-    /** Fewest cells along a side of a tile, which has 8 px, and tiles along the width of a large sensor. */
-    private static final int LEAST_TILE_CELLS = 4;
+    /** The least side of a tile is 2^this cells, which are 8 px; and tiles along the width of a large sensor. */
+    private static final int LEAST_TILE_BITS = 2;
     private static final int TILES = 40;
 
     private final int columnBits;
-    private final int tileCells;
+    /** Tiles have 2^this cells along a side. */
+    private final int tileBits;
     private final int maskX;
     private final int maskY;
     /** Tick at which each cell was seen last. */
@@ -51,7 +52,8 @@ final class ContourMemory {
     ContourMemory(int sensorWidth, int sensorHeight) {
         columnBits = bits(sensorWidth);
         // the events that cross a tile's border make what they are thinned to look like what it was taken for
-        tileCells = Math.max(LEAST_TILE_CELLS, Integer.highestOneBit(sensorWidth / 2 / TILES));
+        tileBits = Math.max(LEAST_TILE_BITS,
+            Integer.SIZE - 1 - Integer.numberOfLeadingZeros(Math.max(1, sensorWidth / 2 / TILES)));
         maskX = (1 << columnBits) - 1;
         maskY = (1 << bits(sensorHeight)) - 1;
         seen = new int[(maskX + 1) * (maskY + 1)];
@@ -144,7 +146,7 @@ final class ContourMemory {
     }
 
     private int tile(int cx, int cy) {
-        int hash = Math.floorDiv(cx, tileCells) * 0x9E3779B1 ^ Math.floorDiv(cy, tileCells) * 0x85EBCA6B;
+        int hash = (cx >> tileBits) * 0x9E3779B1 ^ (cy >> tileBits) * 0x85EBCA6B;
         hash = (hash ^ hash >>> 15) * 0x2C1B3C6D;
         return hash ^ hash >>> 13;
     }

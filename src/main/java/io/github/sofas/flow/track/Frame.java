@@ -14,6 +14,7 @@ final class Frame {
     private static final long SPAN_US = 1_000_000;
 
     private final Motion motion = new Motion();
+    /** From the sensor to it at the motion's reference, when another motion is followed. */
     private final SteppedProjection toReference = new SteppedProjection();
     // from the sensor at the motion's reference to the frame: a similarity
     private double cos;
@@ -21,6 +22,7 @@ final class Frame {
     private double shiftX;
     private double shiftY;
     private double radius;
+    private int changes;
 
     /** Anchors the frame to the sensor at the reference of a motion, which it follows from then on. */
     void anchor(Motion along, double structureRadius) {
@@ -48,7 +50,8 @@ final class Frame {
     private void take(Motion along, double structureRadius) {
         motion.copyFrom(along);
         radius = structureRadius;
-        toReference.begin(motion, SPAN_US, 2 * radius, STEP_PX);
+        begin(toReference);
+        changes++;
     }
 
     /** The motion that it follows. */
@@ -56,19 +59,24 @@ final class Frame {
         return motion;
     }
 
-    /** Goes on to the time of the next event. */
-    void advance(long timeUs) {
-        toReference.advance(timeUs);
+    /** How often it was anchored, or followed another motion. */
+    int changes() {
+        return changes;
     }
 
-    /** Column in the frame of an event of this time, in px. */
-    double x(int eventX, int eventY) {
-        return cos * toReference.x(eventX, eventY) + sin * toReference.y(eventX, eventY) + shiftX;
+    /** Has a projection bring events of the sensor to the motion's reference. */
+    void begin(SteppedProjection projection) {
+        projection.begin(motion, SPAN_US, 2 * radius, STEP_PX);
     }
 
-    /** The same, the row. */
-    double y(int eventX, int eventY) {
-        return cos * toReference.y(eventX, eventY) - sin * toReference.x(eventX, eventY) + shiftY;
+    /** Cosine of the angle between the sensor at the motion's reference and the frame, times the scale. */
+    double cos() {
+        return cos;
+    }
+
+    /** The same, the sine. */
+    double sin() {
+        return sin;
     }
 
     /** Column in the frame of a place of the sensor at the motion's reference, in px. */
@@ -91,16 +99,6 @@ final class Frame {
         return (sin * (x - shiftX) + cos * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
-    /** Column of the sensor, at the time gone on to, of a place in the frame. */
-    double sensorX(double x, double y) {
-        return toReference.backX(toReferenceX(x, y), toReferenceY(x, y));
-    }
-
-    /** The same, the row. */
-    double sensorY(double x, double y) {
-        return toReference.backY(toReferenceX(x, y), toReferenceY(x, y));
-    }
-
     /** How far the frame lies from the sensor at the motion's reference, at most, at a place of it, in px. */
     double departurePx(double x, double y) {
         double dx = fromReferenceX(x, y) - x;
@@ -115,12 +113,14 @@ final class Frame {
 
     /** Shifts the frame by whole pixels. */
     void shift(int dx, int dy) {
+        changes++;
         shiftX += dx;
         shiftY += dy;
     }
 
     /** Anchors the frame to the sensor at the motion's reference again. */
     void anchorAgain() {
+        changes++;
         cos = 1;
         sin = 0;
         shiftX = 0;

@@ -28,6 +28,8 @@ final class Recentring {
     private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private long lifetimeUs;
+    /** How long bursts last, worked out with the lifetime: it is asked for with each event. */
+    private long burstUs;
     private int sinceMeasured;
     private long measuredUs;
     private long widenedUs;
@@ -73,6 +75,7 @@ final class Recentring {
             * measurement.lifetimePx() / 2;
         lifetimeUs = (long) Math.min(MAX_LIFETIME_US,
             measurement.lifetimePx() / Math.max(Math.sqrt(speed * speed + gained), 1e-3) * 1e6);
+        burstUs = (long) Math.min(BURST_US, BURST_PX / measurement.lifetimePx() * lifetimeUs);
     }
 
     /** That time, as it is known now. */
@@ -82,7 +85,7 @@ final class Recentring {
 
     /** How long the bursts of its pixels last. */
     long burstUs() {
-        return (long) Math.min(BURST_US, BURST_PX / measurement.lifetimePx() * lifetimeUs);
+        return burstUs;
     }
 
     /**
