@@ -39,6 +39,27 @@ public final class CommonMotion {
      * @return whether the two together know all of the velocity; if not, the motion is the first one's
      */
     public boolean fit(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
+        begin(one, lossOne, other, lossOther, timeUs);
+        return fitVelocity(lossOne, lossOther);
+    }
+
+    /**
+     * The same of two edges that are known to be of one body, each of which may show nothing of its rotation: that is
+     * the one by which their velocities differ across the line between them.
+     */
+    public boolean fitEdges(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
+        begin(one, lossOne, other, lossOther, timeUs);
+        double x = second.centreX - first.centreX;
+        double y = second.centreY - first.centreY;
+        double apart = x * x + y * y;
+        if (apart > 0) {
+            motion.omega = (x * (second.vy - first.vy) - y * (second.vx - first.vx)) / apart;
+        }
+        return fitVelocity(lossOne, lossOther);
+    }
+
+    /** Begins with the rotation and the growth of the one that knows them better. */
+    private void begin(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
         first.copyFrom(one);
         first.moveReference(timeUs);
         second.copyFrom(other);
@@ -48,6 +69,9 @@ public final class CommonMotion {
         motion.centreY = (first.centreY + second.centreY) / 2;
         motion.omega = lossOther.turn > lossOne.turn ? second.omega : first.omega;
         motion.growth = lossOther.grow > lossOne.grow ? second.growth : first.growth;
+    }
+
+    private boolean fitVelocity(MotionLoss lossOne, MotionLoss lossOther) {
         xx = 0;
         xy = 0;
         yy = 0;

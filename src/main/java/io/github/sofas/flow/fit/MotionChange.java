@@ -76,6 +76,8 @@ public final class MotionChange {
     private double bendSigmas;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
     private double evidence;
+    /** Whether the structure is known to be one body, whatever shows within parts of it. */
+    private boolean isOneBody;
     /** Radius of the structure when it was measured last, in px. */
     private double radius;
     /** Shifts at the end of the window that may be noise of as many events as are measured, in px. */
@@ -160,17 +162,18 @@ public final class MotionChange {
             evidence += EVIDENCE_GAIN * (shows - evidence);
         }
         double sure = sure();
-        motion.omega = sure * newOmega;
+        double sureOfTurning = isOneBody ? 1 : sure;
+        motion.omega = sureOfTurning * newOmega;
         motion.growth = sure * newGrowth;
         motion.growthChange = sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
-        if (turns * sure < LEAST_SPINNING) {
+        if (turns * sureOfTurning < LEAST_SPINNING) {
             alpha = 0;
             motion.alpha = 0;
         } else if (p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
             double step = fit.changes().spin(perPxOfSpin * CHANGE_PX).step();
             alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);
-            motion.alpha = believed(alpha, perPxOfSpin, turnNoisePx) * turns * sure;
+            motion.alpha = believed(alpha, perPxOfSpin, turnNoisePx) * turns * sureOfTurning;
         }
     }
 
@@ -215,6 +218,16 @@ public final class MotionChange {
         motion.growth *= HELD;
         motion.growthChange *= HELD;
         growthSlope.hold(HELD);
+    }
+
+    /** Takes the structure for one body: two of its edges that turn together need not show it each by itself. */
+    public void takeForOneBody() {
+        isOneBody = true;
+    }
+
+    /** Takes it no more for one body than what shows within parts of it. */
+    public void doubtBody() {
+        isOneBody = false;
     }
 
     /** Goes on with a motion that is known from elsewhere, which is no measurement of how it changes. */

@@ -33,6 +33,8 @@ final class LiveEvents {
 
     private int head;
     private int size;
+    /** Sum of their polarities. */
+    private int signs;
     private int halvings;
     /** Events for which it is not asked again whether tiles can be halved. */
     private int refused;
@@ -50,6 +52,11 @@ final class LiveEvents {
     /** The structure's events to those that are taken. */
     int thinning() {
         return 1 << halvings;
+    }
+
+    /** Mean polarity: 1 where all are ON, -1 where all are OFF. */
+    double meanPolarity() {
+        return size == 0 ? 0 : (double) signs / size;
     }
 
     /** How many events the structure gave, those of tiles that were not taken included. */
@@ -116,6 +123,7 @@ final class LiveEvents {
         sign[i] = (byte) polarity;
         claim[i] = (byte) why;
         tile[i] = tileHash;
+        signs += polarity;
         head = head + 1 & MASK;
         size++;
     }
@@ -140,6 +148,7 @@ final class LiveEvents {
     }
 
     private void letOldestGo() {
+        signs -= sign[index(0)];
         size--;
         ofHalfTheTiles = Math.max(0, ofHalfTheTiles - 1);
     }
@@ -157,6 +166,7 @@ final class LiveEvents {
         int from = head - n;
         head = from;
         size = 0;
+        signs = 0;
         for (int k = 0; k < n; k++) {
             int i = from + k & MASK;
             if (kept.test(i)) {
@@ -191,6 +201,7 @@ final class LiveEvents {
 
     void clear() {
         size = 0;
+        signs = 0;
         ofHalfTheTiles = 0;
         halvings = 0;
         refused = 0;

@@ -158,6 +158,16 @@ final class Measurement {
         change.hold(motion);
     }
 
+    /** Takes the structure for one body: its rotation need not show within parts of it. */
+    void takeForOneBody() {
+        change.takeForOneBody();
+    }
+
+    /** Takes it no more for one body than what shows. */
+    void doubtBody() {
+        change.doubtBody();
+    }
+
     /** Goes on with the motion that this structure and another have in common, which was not measured. */
     void takeCommon() {
         change.take();

@@ -6,6 +6,9 @@ import io.github.sofas.flow.motion.Motion;
 /**
  * Whether two track planes describe one structure (paper, section Algorithm: such are merged). Ours: boxes that touch
  * or nearly do, and one motion that serves both with little loss of metric.
+ *
+ * <p>What moves along itself is seen by its ends alone: the one covers what is behind it, the other uncovers it, so
+ * that one fires ON and the other OFF events. Two such ends belong together across a gap in which nothing fires.
  */
 final class Merging {
     /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
@@ -26,10 +29,22 @@ final class Merging {
      */
     private static final double TRAVEL_PX = 8;
 
+    /**
+     * Gap between the leading and the trailing edge of one body, as the same share: its long sides along its way fire
+     * no events.
+     */
+    private static final double BODY_SHARE = 3;
+    /** Travel that both must have been tracked for: over less, the rear of one body goes with the front of the next. */
+    private static final double EDGES_TRAVEL_PX = 6;
+    /** Mean polarity that an edge has at least: a whole body has edges of either polarity. */
+    private static final double LEAST_POLARITY = 0.6;
+
     private final CommonMotion common = new CommonMotion();
+    private boolean areEdges;
 
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
     boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
+        areEdges = false;
         if (a.liveEvents() == 0 && b.liveEvents() == 0 || !a.measurement().isSharp() || !b.measurement().isSharp()) {
             return false;
         }
@@ -38,10 +53,18 @@ final class Merging {
     }
 
     /** Whether planes that do not touch may merge by where they are, and by how far they have travelled. */
-    private static boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
-        double gap = GAP_SHARE * Math.min(a.contour().extent(), b.contour().extent());
-        return a.travelPx(nowUs) >= TRAVEL_PX && b.travelPx(nowUs) >= TRAVEL_PX
+    private boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
+        areEdges = a.meanPolarity() * b.meanPolarity() < 0
+            && Math.min(Math.abs(a.meanPolarity()), Math.abs(b.meanPolarity())) > LEAST_POLARITY;
+        double travelPx = areEdges ? EDGES_TRAVEL_PX : TRAVEL_PX;
+        double gap = (areEdges ? BODY_SHARE : GAP_SHARE) * Math.min(a.contour().extent(), b.contour().extent());
+        return a.travelPx(nowUs) >= travelPx && b.travelPx(nowUs) >= travelPx
             && a.contour().isWithin(gap, b.contour(), nowUs);
+    }
+
+    /** Whether the two that were asked for last, if they are one, are its leading and its trailing edge. */
+    boolean areEdges() {
+        return areEdges;
     }
 
     /**
@@ -54,6 +77,10 @@ final class Merging {
     }
 
     private boolean shareMotionAt(long timeUs, TrackPlane a, TrackPlane b, boolean touch) {
+        if (areEdges) {
+            return common.fitEdges(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs)
+                && common.lost() < MOST_LOST_APART;
+        }
         return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs)
             && common.lost() < (touch || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
     }

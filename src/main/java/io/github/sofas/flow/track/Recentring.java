@@ -46,6 +46,7 @@ final class Recentring {
         density.start();
         live.clear();
         measurement.restart();
+        measurement.doubtBody();
         sinceMeasured = 0;
         measuredUs = nowUs;
         widenedUs = nowUs;

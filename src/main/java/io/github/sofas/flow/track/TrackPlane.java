@@ -156,6 +156,11 @@ public final class TrackPlane {
         return recentring.live().given();
     }
 
+    /** Mean polarity of its live events, -1 to 1: an edge of a body has all of one, but for noise. */
+    double meanPolarity() {
+        return recentring.live().meanPolarity();
+    }
+
     /** Speed of its contour in px/s, root of the mean square. */
     public double speed() {
         return motion.speed(contour.radius());
@@ -355,12 +360,16 @@ public final class TrackPlane {
      * Takes over the events of another plane; the motion of all is measured with the next event.
      *
      * @param common the motion that serves both
+     * @param areEdges whether the two are edges of one body
      * @param spare a ring to put them in
      * @return the ring that this plane used until now
      */
-    LiveEvents merge(TrackPlane other, Motion common, LiveEvents spare, long nowUs) {
+    LiveEvents merge(TrackPlane other, Motion common, boolean areEdges, LiveEvents spare, long nowUs) {
         motion.copyFrom(common);
         LiveEvents used = recentring.merge(other.recentring, spare);
+        if (areEdges) {
+            measurement().takeForOneBody();
+        }
         events += other.events;
         motion.moveReference(nowUs);
         if (recentring.live().thinning() == 1) {
@@ -425,6 +434,7 @@ public final class TrackPlane {
         }
         to.recentre(fit, nowUs);
         live.keepIf(i -> !parting.isOfPart(i));
+        measurement().doubtBody();
         motion.copyFrom(parting.rest());
         motion.moveReference(nowUs);
         contour.draw(live, motion, contourUs());

@@ -205,7 +205,7 @@ public final class TrackPlaneStack {
             planes[j] = planes[i];
             planes[i] = older;
         }
-        spare = planes[i].merge(planes[j], merging.motion(), spare, nowUs);
+        spare = planes[i].merge(planes[j], merging.motion(), merging.areEdges(), spare, nowUs);
         end(j, Segment.Fate.MERGED, planes[i].id());
     }
 

@@ -194,4 +194,38 @@ public class CommonMotionTest {
         assertEquals((42.5 + 43) / 2, common.motion().centreX, TINY);
         assertEquals(100_000, common.motion().referenceUs);
     }
+
+    @Test
+    public void edgesOfABodyTurnAsTheirVelocitiesAskThoughNeitherShowsIt() {
+        // 20 px apart and 40 px/s across that: 2 rad/s about (50, 40), which goes on to the right
+        CommonMotion common = new CommonMotion();
+        MotionLoss noTurning = loss(1, 0, 1, 0);
+        Motion right = motion(60, 40, 50, 20, 0);
+        Motion left = motion(40, 40, 50, -20, 0);
+        assertTrue(common.fitEdges(right, noTurning, left, noTurning, 0));
+        assertEquals(50, common.motion().vx, TINY);
+        assertEquals(0, common.motion().vy, TINY);
+        assertEquals(2, common.motion().omega, TINY);
+        assertEquals(0, common.lost(), TINY);
+        // each loses by the 20 px/s that it differs from the mean by
+        assertTrue(common.fit(right, noTurning, left, noTurning, 0));
+        assertEquals(20 * 20 / 1000.0, common.lost(), TINY);
+    }
+
+    @Test
+    public void edgesThatComeApartAreNoBody() {
+        CommonMotion common = new CommonMotion();
+        MotionLoss noTurning = loss(1, 0, 1, 0);
+        assertTrue(common.fitEdges(motion(60, 40, 70, 0, 0), noTurning, motion(40, 40, 50, 0, 0), noTurning, 0));
+        assertEquals(0, common.motion().omega, TINY);
+        assertEquals(10 * 10 / 1000.0, common.lost(), TINY);
+    }
+
+    @Test
+    public void edgesAtOnePlaceHaveTheRotationOfTheOneThatKnowsItBetter() {
+        CommonMotion common = new CommonMotion();
+        assertTrue(common.fitEdges(motion(50, 40, 50, 0, 1), loss(1, 0, 1, 2), motion(50, 40, 50, 0, 3),
+            loss(1, 0, 1, 1), 0));
+        assertEquals(1, common.motion().omega, TINY);
+    }
 }

@@ -153,6 +153,20 @@ public class MotionChangeTest {
     }
 
     @Test
+    public void whatIsKnownToBeOneBodyTurnsThoughNoPartOfItShowsThat() {
+        // the two pass each other as 0.5 rad/s would have it, 15 px from the middle
+        Motion left = steady();
+        left.vy -= 7.5;
+        Motion right = steady();
+        right.vy += 7.5;
+        change.takeForOneBody();
+        Motion motion = measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+        assertEquals(0.5, motion.omega, 0.05);
+        change.doubtBody();
+        assertEquals(0, measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS).omega, 0.1);
+    }
+
+    @Test
     public void whatIsSwitchedOffIsNotMeasured() {
         Motion truth = steady();
         truth.ax = 400;

@@ -236,4 +236,31 @@ public class LiveEventsTest {
         assertEquals(0, both.oldestUs());
         assertEquals(32_766, both.newestUs());
     }
+
+    @Test
+    public void meanPolarityIsThatOfTheEventsThatAreLeft() {
+        assertEquals(0, live.meanPolarity(), 0);
+        for (int i = 0; i < 8; i++) {
+            live.add(0, 0, i, i < 6 ? 1 : -1, Claim.OWN, i);
+        }
+        assertEquals((6 - 2) / 8.0, live.meanPolarity(), 0);
+        live.expire(4);
+        assertEquals(0, live.meanPolarity(), 0);
+        live.keepIf(i -> live.sign[i] < 0);
+        assertEquals(-1, live.meanPolarity(), 0);
+        LiveEvents both = new LiveEvents();
+        both.fillFrom(live, live);
+        assertEquals(-1, both.meanPolarity(), 0);
+        live.clear();
+        assertEquals(0, live.meanPolarity(), 0);
+    }
+
+    @Test
+    public void meanPolarityIsThatOfTheTilesThatAreLeft() {
+        for (int i = 0; i <= LiveEvents.CAPACITY; i++) {
+            live.add(0, 0, i, i % 2 == 0 ? 1 : -1, Claim.OWN, i % 16);
+        }
+        assertEquals(2, live.thinning());
+        assertEquals(1, live.meanPolarity(), 0);
+    }
 }

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.Segment;
 import java.util.List;
+import java.util.function.IntUnaryOperator;
 import org.junit.Test;
 
 /** Which planes are taken for one. */
@@ -109,5 +110,31 @@ public class MergingTest {
         edges.begin(68, 30, 100, 1);
         edges.goOnWithTwo(40, 30, 68, 30, 10);
         assertEquals(List.of(1, 2), edges.ids());
+    }
+
+    /** Edges 30 px long whose boxes are 46 px apart go on for some columns; the ids that are left. */
+    private List<Integer> idsAfter(IntUnaryOperator polarityOfRow, IntUnaryOperator otherPolarityOfRow, int columns) {
+        edges.begin(30, 30, 100, 1, TrackedEdges.COLUMNS, polarityOfRow);
+        edges.begin(80, 30, 100, 1, TrackedEdges.COLUMNS, otherPolarityOfRow);
+        edges.goOnWithTwo(30, 30, polarityOfRow, 80, 30, otherPolarityOfRow, columns);
+        return edges.ids();
+    }
+
+    @Test
+    public void leadingAndTrailingEdgeOfABodyAreOneAfterSixPixels() {
+        assertEquals(List.of(1, 2), idsAfter(y -> 1, y -> -1, 5));
+        edges.goOnWithTwo(35, 30, y -> 1, 85, 30, y -> -1, 2);
+        assertEquals(List.of(1), edges.ids());
+    }
+
+    @Test
+    public void edgesOfOnePolarityAsFarFromEachOtherStayTwo() {
+        assertEquals(List.of(1, 2), idsAfter(y -> -1, y -> -1, 12));
+    }
+
+    @Test
+    public void bodiesWithEdgesOfEitherPolarityAsFarFromEachOtherStayTwo() {
+        // a third of the one fires OFF, of the other ON
+        assertEquals(List.of(1, 2), idsAfter(y -> y % 3 == 0 ? -1 : 1, y -> y % 3 == 0 ? 1 : -1, 12));
     }
 }

@@ -9,6 +9,7 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntUnaryOperator;
 
 /**
  * A stack of track planes that follow upright edges, which enter a column at a time. At 100 px/s the lifetime of 5 px
@@ -40,11 +41,17 @@ final class TrackedEdges {
 
     /** The same of one that was seen to enter so many columns. */
     TrackPlane begin(int column, int row, double vx, int times, int columns) {
+        return begin(column, row, vx, times, columns, y -> 1);
+    }
+
+    /** The same whose pixels of a row fire with a polarity each. */
+    TrackPlane begin(int column, int row, double vx, int times, int columns, IntUnaryOperator polarityOfRow) {
         TrackPlane plane = stack.found().create(nowUs, vx, 0);
         for (int c = columns - 1; c >= 0; c--) {
             long timeUs = nowUs - (long) (c * 1e6 / Math.abs(vx));
             for (int i = 0; i < times * ROWS; i++) {
-                plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs, 1, true);
+                plane.addPast(column - c * (int) Math.signum(vx), row + i % ROWS, timeUs,
+                    polarityOfRow.applyAsInt(i % ROWS), true);
             }
         }
         stack.found().begin(plane, nowUs);
@@ -54,8 +61,12 @@ final class TrackedEdges {
 
     /** The segment that an ON event of now is given. */
     int label(int x, int y) {
+        return label(x, y, 1);
+    }
+
+    private int label(int x, int y, int polarity) {
         output.segment[0] = -1;
-        if (stack.label(x, y, nowUs, 1, output, 0)) {
+        if (stack.label(x, y, nowUs, polarity, output, 0)) {
             assertTrue(output.segment[0] > 0);
         }
         return output.segment[0];
@@ -76,11 +87,17 @@ final class TrackedEdges {
 
     /** Two edges go on for some columns, each of which they enter after 10 ms; then the planes are looked after. */
     void goOnWithTwo(int column, int row, int otherColumn, int otherRow, int columns) {
+        goOnWithTwo(column, row, y -> 1, otherColumn, otherRow, y -> 1, columns);
+    }
+
+    /** The same whose pixels of a row fire with a polarity each. */
+    void goOnWithTwo(int column, int row, IntUnaryOperator polarityOfRow, int otherColumn, int otherRow,
+                     IntUnaryOperator otherPolarityOfRow, int columns) {
         for (int c = 1; c <= columns; c++) {
             nowUs += 10_000;
             for (int y = 0; y < ROWS; y++) {
-                label(column + c, row + y);
-                label(otherColumn + c, otherRow + y);
+                label(column + c, row + y, polarityOfRow.applyAsInt(y));
+                label(otherColumn + c, otherRow + y, otherPolarityOfRow.applyAsInt(y));
             }
         }
         stack.check(nowUs);
