@@ -38,10 +38,11 @@ final class Contour {
     /** Cells to anchor anew with, of any contour. */
     private final Spare spare;
     private final Frame frame = new Frame();
-    /** Where the event lies in the frame whose support was asked for last. */
-    private final FrameView view = new FrameView(frame);
     private final SteppedProjection past = new SteppedProjection();
     private long fadedUs;
+    /** Place in the frame of the event whose support was asked for last. */
+    private double lastX;
+    private double lastY;
 
     private int threshold;
     private double sureSupport;
@@ -111,8 +112,10 @@ final class Contour {
 
     /** Support of an event by the events of late around its cell. */
     int support(int x, int y, long timeUs, int polarity) {
-        view.locate(x, y, timeUs);
-        return cells.support(ContourCells.cell(view.x()), ContourCells.cell(view.y()), polarity);
+        frame.advance(timeUs);
+        lastX = frame.x(x, y);
+        lastY = frame.y(x, y);
+        return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), polarity);
     }
 
     /**
@@ -124,14 +127,14 @@ final class Contour {
         if (isEmpty()) {
             return Reaches.NOWHERE;
         }
-        view.advance(nowUs);
+        frame.advance(nowUs);
         reached.clear();
         double speed = 0;
         for (int corner = 0; corner < 4; corner++) {
             double inFrameX = ((corner & 1) == 0 ? cells.minX() - 0.5 : cells.maxX() + 0.5) - ContourCells.MARGIN;
             double inFrameY = ((corner & 2) == 0 ? cells.minY() - 0.5 : cells.maxY() + 0.5) - ContourCells.MARGIN;
-            double x = view.sensorX(inFrameX, inFrameY);
-            double y = view.sensorY(inFrameX, inFrameY);
+            double x = frame.sensorX(inFrameX, inFrameY);
+            double y = frame.sensorY(inFrameX, inFrameY);
             reached.include(x, y);
             speed = Math.max(speed, frame.motion().mostSpeed(x, y, nowUs, untilUs));
         }
@@ -147,7 +150,7 @@ final class Contour {
 
     /** Support by the cells nearest, of the event whose support was asked for last and that has any. */
     int closeSupport(int polarity) {
-        return cells.closeSupport(ContourCells.firstOfTwo(view.x()), ContourCells.firstOfTwo(view.y()), polarity);
+        return cells.closeSupport(ContourCells.firstOfTwo(lastX), ContourCells.firstOfTwo(lastY), polarity);
     }
 
     /**
@@ -156,8 +159,8 @@ final class Contour {
      * @param ageUs how long ago it was, of the time for which events are held
      */
     void add(int x, int y, long timeUs, int polarity, long ageUs, long heldUs) {
-        view.locate(x, y, timeUs);
-        changedReach |= cells.see(view.x(), view.y(), polarity, sixteenths(ageUs, heldUs));
+        frame.advance(timeUs);
+        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, heldUs));
     }
 
     private static int sixteenths(long ageUs, long heldUs) {
@@ -166,7 +169,7 @@ final class Contour {
 
     /** Notes the event whose support was asked for last, as one of now. */
     void addLast(int polarity) {
-        changedReach |= cells.see(view.x(), view.y(), polarity, 0);
+        changedReach |= cells.see(lastX, lastY, polarity, 0);
     }
 
     /** Lets go what is older than the time for which events are held. */

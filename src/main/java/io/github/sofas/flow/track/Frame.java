@@ -14,7 +14,6 @@ final class Frame {
     private static final long SPAN_US = 1_000_000;
 
     private final Motion motion = new Motion();
-    /** From the sensor to it at the motion's reference, when another motion is followed. */
     private final SteppedProjection toReference = new SteppedProjection();
     // from the sensor at the motion's reference to the frame: a similarity
     private double cos;
@@ -22,7 +21,11 @@ final class Frame {
     private double shiftX;
     private double shiftY;
     private double radius;
-    private int changes;
+    // from the sensor at the time gone on to, to the frame: both in one
+    private double nowCos;
+    private double nowSin;
+    private double nowShiftX;
+    private double nowShiftY;
 
     /** Anchors the frame to the sensor at the reference of a motion, which it follows from then on. */
     void anchor(Motion along, double structureRadius) {
@@ -50,8 +53,12 @@ final class Frame {
     private void take(Motion along, double structureRadius) {
         motion.copyFrom(along);
         radius = structureRadius;
-        begin(toReference);
-        changes++;
+        begin();
+    }
+
+    /** Has the next event take a step, with the frame as it lies now. */
+    private void begin() {
+        toReference.begin(motion, SPAN_US, 2 * radius, STEP_PX);
     }
 
     /** The motion that it follows. */
@@ -59,24 +66,24 @@ final class Frame {
         return motion;
     }
 
-    /** How often it was anchored, or followed another motion. */
-    int changes() {
-        return changes;
+    /** Goes on to the time of the next event. */
+    void advance(long timeUs) {
+        if (toReference.advance(timeUs)) {
+            nowCos = cos * toReference.cos() - sin * toReference.sin();
+            nowSin = cos * toReference.sin() + sin * toReference.cos();
+            nowShiftX = fromReferenceX(toReference.shiftX(), toReference.shiftY());
+            nowShiftY = fromReferenceY(toReference.shiftX(), toReference.shiftY());
+        }
     }
 
-    /** Has a projection bring events of the sensor to the motion's reference. */
-    void begin(SteppedProjection projection) {
-        projection.begin(motion, SPAN_US, 2 * radius, STEP_PX);
+    /** Column in the frame of an event of this time, in px. */
+    double x(int eventX, int eventY) {
+        return nowCos * eventX + nowSin * eventY + nowShiftX;
     }
 
-    /** Cosine of the angle between the sensor at the motion's reference and the frame, times the scale. */
-    double cos() {
-        return cos;
-    }
-
-    /** The same, the sine. */
-    double sin() {
-        return sin;
+    /** The same, the row. */
+    double y(int eventX, int eventY) {
+        return nowCos * eventY - nowSin * eventX + nowShiftY;
     }
 
     /** Column in the frame of a place of the sensor at the motion's reference, in px. */
@@ -99,6 +106,16 @@ final class Frame {
         return (sin * (x - shiftX) + cos * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
+    /** Column of the sensor, at the time gone on to, of a place in the frame. */
+    double sensorX(double x, double y) {
+        return toReference.backX(toReferenceX(x, y), toReferenceY(x, y));
+    }
+
+    /** The same, the row. */
+    double sensorY(double x, double y) {
+        return toReference.backY(toReferenceX(x, y), toReferenceY(x, y));
+    }
+
     /** How far the frame lies from the sensor at the motion's reference, at most, at a place of it, in px. */
     double departurePx(double x, double y) {
         double dx = fromReferenceX(x, y) - x;
@@ -113,18 +130,18 @@ final class Frame {
 
     /** Shifts the frame by whole pixels. */
     void shift(int dx, int dy) {
-        changes++;
         shiftX += dx;
         shiftY += dy;
+        begin();
     }
 
     /** Anchors the frame to the sensor at the motion's reference again. */
     void anchorAgain() {
-        changes++;
         cos = 1;
         sin = 0;
         shiftX = 0;
         shiftY = 0;
+        begin();
     }
 
     double shiftX() {

@@ -105,28 +105,26 @@ public class FrameTest {
     @Test
     public void eventsHaveTheCoordinatesOfTheirPlaces() {
         Motion motion = motion(120, -70, 2, 0.5);
-        FrameView view = new FrameView(frame);
         followed(motion);
         for (long timeUs = 1_200_000; timeUs < 1_240_000; timeUs += 977) {
             Place place = PlainMotion.project(motion, 95, 22, timeUs);
-            view.locate(95, 22, timeUs);
+            frame.advance(timeUs);
             // half a step of a sixteenth of a pixel, in coordinates that are smaller than the sensor by now
-            assertEquals(place.x(), view.x(), 1.0 / 32 + ROUNDED_PX);
-            assertEquals(place.y(), view.y(), 1.0 / 32 + ROUNDED_PX);
-            assertEquals(95, view.sensorX(view.x(), view.y()), ROUNDED_PX);
-            assertEquals(22, view.sensorY(view.x(), view.y()), ROUNDED_PX);
+            assertEquals(place.x(), frame.x(95, 22), 1.0 / 32 + ROUNDED_PX);
+            assertEquals(place.y(), frame.y(95, 22), 1.0 / 32 + ROUNDED_PX);
+            assertEquals(95, frame.sensorX(frame.x(95, 22), frame.y(95, 22)), ROUNDED_PX);
+            assertEquals(22, frame.sensorY(frame.x(95, 22), frame.y(95, 22)), ROUNDED_PX);
         }
     }
 
     @Test
     public void eventsGoWhereTheFrameIsShifted() {
-        FrameView view = new FrameView(frame);
         frame.anchor(motion(0, 0, 0, 0), RADIUS_PX);
-        view.locate(13, 29, 1_000_000);
+        frame.advance(1_000_000);
         frame.shift(-3, 2);
-        view.locate(13, 29, 1_000_000);
-        assertEquals(10, view.x(), 0);
-        assertEquals(31, view.y(), 0);
+        frame.advance(1_000_000);
+        assertEquals(10, frame.x(13, 29), 0);
+        assertEquals(31, frame.y(13, 29), 0);
     }
 
     @Test
