@@ -40,31 +40,32 @@ final class Merging {
     private static final double LEAST_POLARITY = 0.6;
 
     private final CommonMotion common = new CommonMotion();
+    /** Whether the two that were asked for last, if they are one, are its leading and its trailing edge. */
     private boolean areEdges;
 
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
     boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
-        areEdges = false;
         if (a.liveEvents() == 0 && b.liveEvents() == 0 || !a.measurement().isSharp() || !b.measurement().isSharp()) {
             return false;
         }
         boolean touch = a.contour().isWithin(GAP_PX, b.contour(), nowUs);
+        areEdges = !touch && areOfOppositePolarity(a, b);
         return (touch || areNear(a, b, nowUs)) && shareMotion(a, b, touch, nowUs);
+    }
+
+    /** Whether the one gets mostly ON events and the other mostly OFF events. */
+    private static boolean areOfOppositePolarity(TrackPlane a, TrackPlane b) {
+        double its = a.meanPolarity();
+        double others = b.meanPolarity();
+        return Math.max(its, others) > LEAST_POLARITY && Math.min(its, others) < -LEAST_POLARITY;
     }
 
     /** Whether planes that do not touch may merge by where they are, and by how far they have travelled. */
     private boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
-        areEdges = a.meanPolarity() * b.meanPolarity() < 0
-            && Math.min(Math.abs(a.meanPolarity()), Math.abs(b.meanPolarity())) > LEAST_POLARITY;
         double travelPx = areEdges ? EDGES_TRAVEL_PX : TRAVEL_PX;
         double gap = (areEdges ? BODY_SHARE : GAP_SHARE) * Math.min(a.contour().extent(), b.contour().extent());
         return a.travelPx(nowUs) >= travelPx && b.travelPx(nowUs) >= travelPx
             && a.contour().isWithin(gap, b.contour(), nowUs);
-    }
-
-    /** Whether the two that were asked for last, if they are one, are its leading and its trailing edge. */
-    boolean areEdges() {
-        return areEdges;
     }
 
     /**
@@ -88,5 +89,10 @@ final class Merging {
     /** The motion that the two have in common which were asked for last and are one. */
     Motion motion() {
         return common.motion();
+    }
+
+    /** Whether those two are the leading and the trailing edge of one body, across a gap. */
+    boolean areEdges() {
+        return areEdges;
     }
 }

@@ -141,29 +141,28 @@ public class MotionChangeTest {
         assertEquals(0, motion.omega, 0.1);
     }
 
-    @Test
-    public void twoBodiesThatPassEachOtherDoNotTurn() {
+    /** Measures two bodies that pass each other as 0.5 rad/s would have it, 15 px from the middle. */
+    private Motion measuredOfTwoThatPassEachOther() {
         Motion left = steady();
         left.vy -= 7.5;
         Motion right = steady();
         right.vy += 7.5;
-        Motion motion = measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+        return measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+    }
+
+    @Test
+    public void twoBodiesThatPassEachOtherDoNotTurn() {
+        Motion motion = measuredOfTwoThatPassEachOther();
         assertEquals(0, motion.omega, 0.1);
         assertEquals(0, motion.growth, 0.1);
     }
 
     @Test
     public void whatIsKnownToBeOneBodyTurnsThoughNoPartOfItShowsThat() {
-        // the two pass each other as 0.5 rad/s would have it, 15 px from the middle
-        Motion left = steady();
-        left.vy -= 7.5;
-        Motion right = steady();
-        right.vy += 7.5;
         change.takeForOneBody();
-        Motion motion = measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
-        assertEquals(0.5, motion.omega, 0.05);
+        assertEquals(0.5, measuredOfTwoThatPassEachOther().omega, 0.05);
         change.doubtBody();
-        assertEquals(0, measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS).omega, 0.1);
+        assertEquals(0, measuredOfTwoThatPassEachOther().omega, 0.1);
     }
 
     @Test
