@@ -13,12 +13,10 @@ final class EventDensity {
     private static final double RUSH_SHARE = 0.35;
     /** Fewest events that tell it. */
     private static final int LEAST_RUSH = 100;
-    /** Parts of the time of these events in which the motion's speed is looked at. */
-    private static final int PARTS = 4;
     /** What is left of the usual density with each look at it, and what is taken of the one of now. */
     private static final double USUAL_KEPT = 0.999;
 
-    private final Motion past = new Motion();
+    private final PastTravel travel = new PastTravel();
     private double usual;
 
     /** Begins with a structure of which nothing is usual yet. */
@@ -58,14 +56,7 @@ final class EventDensity {
         if (newest < LEAST_RUSH || newest > live.size()) {
             return false;
         }
-        long us = nowUs - live.newestFromUs(newest);
-        past.copyFrom(motion);
-        double speeds = 0;
-        for (int i = 0; i < PARTS; i++) {
-            past.moveReference(nowUs - us * (2 * i + 1) / (2 * PARTS));
-            speeds += past.speed(radius);
-        }
-        return speeds / PARTS * us * 1e-6 < RUSH_SHARE * RUSH_PX;
+        return travel.px(motion, radius, live.newestFromUs(newest), nowUs) < RUSH_SHARE * RUSH_PX;
     }
 
     /** Events of the structure per px of travel. */

@@ -239,6 +239,12 @@ final class Measurement {
         return n <= least ? n : (int) Math.max(least, Math.min(most, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
     }
 
+    /** Metric of the live events along a motion whose reference is the middle of their window. */
+    double metric(Motion motion, LiveEvents live, double radius, MetricFit fit) {
+        load(motion, live, radius, fit);
+        return fit.metric();
+    }
+
     /** Projects a sample of the live events to the motion's reference; returns how many of it were shared. */
     private int load(Motion motion, LiveEvents live, double radius, MetricFit fit) {
         fit.clear();

@@ -25,6 +25,7 @@ final class Recentring {
     private final Measurement measurement;
     private final EventDensity density = new EventDensity();
     private final FreshVelocity fresh = new FreshVelocity();
+    private final SpeedByEvents byEvents = new SpeedByEvents();
     private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private long lifetimeUs;
@@ -122,6 +123,15 @@ final class Recentring {
             widenedUs = nowUs;
             live.widen();
         }
+    }
+
+    /** Corrects a motion by how its events thin out, as {@link SpeedByEvents} does; returns whether it did. */
+    boolean correctSpeed(Motion motion, double radius, boolean inFullView, MetricFit fit, long nowUs) {
+        boolean isCorrected = byEvents.correct(motion, live, radius, inFullView, measurement, fit, nowUs);
+        if (isCorrected) {
+            followLifetime(motion, radius);
+        }
+        return isCorrected;
     }
 
     /** Whether the structure gets fewer events than its motion lets expect. */

@@ -37,6 +37,8 @@ public final class TrackPlane {
     private static final int MOST_TO_TWO = 8;
     /** Standard deviations of the metric that a shift of both ends of the window by a pixel loses where it is known. */
     private static final double KNOWN_SIGMAS = 1;
+    /** Distance from the border of the sensor within which a contour may be cut off by it, in px. */
+    private static final double BORDER_PX = 2;
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
@@ -271,6 +273,27 @@ public final class TrackPlane {
     /** Whether its motion tells where its events come from: else they get no flow until it does again. */
     public boolean isPredictive() {
         return recentring.measurement().isPredictive() && !adrift;
+    }
+
+    /**
+     * Corrects the motion by how its events thin out; before {@link #update} lets events go, since of what is slower
+     * they are kept for longer. Not along a straight edge, whose velocity is not known: what slides along itself gives
+     * more or fewer events at any speed.
+     *
+     * @param isHidden whether others lie where they may hide a part of it
+     */
+    void correctSpeed(boolean isHidden, MetricFit fit, long nowUs) {
+        if (isVelocityKnown() && recentring.correctSpeed(motion, contour.radius(), !isHidden && isInside(nowUs), fit,
+                nowUs)) {
+            contour.follow(motion);
+        }
+    }
+
+    /** Whether all of its contour lies within the sensor, by a pixel or two. */
+    private boolean isInside(long nowUs) {
+        return !contour.isEmpty() && contour.left(nowUs) > BORDER_PX && contour.top(nowUs) > BORDER_PX
+            && contour.right(nowUs) < sensor.width() - 1 - BORDER_PX
+            && contour.bottom(nowUs) < sensor.height() - 1 - BORDER_PX;
     }
 
     /**

@@ -24,6 +24,8 @@ public final class TrackPlaneStack {
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
+    /** Gap between the boxes of structures, in px, within which the one may hide a part of the other. */
+    private static final double HIDDEN_PX = 4;
 
     private final Consumer<Segment> ended;
     private SofasParameters.Track p;
@@ -171,6 +173,7 @@ public final class TrackPlaneStack {
         noise.goOn(nowUs);
         reaches.forget();
         for (int i = size - 1; i >= 0; i--) {
+            planes[i].correctSpeed(isHidden(i, nowUs), fit, nowUs);
             if (planes[i].update(nowUs, noise.perUs()) == TrackPlane.State.ENDED) {
                 end(i, Segment.Fate.REMOVED, 0);
             } else {
@@ -191,6 +194,16 @@ public final class TrackPlaneStack {
                 }
             }
         }
+    }
+
+    /** Whether others lie where they may hide a part of a plane's structure. */
+    private boolean isHidden(int i, long nowUs) {
+        for (int j = 0; j < size; j++) {
+            if (j != i && planes[i].contour().isWithin(HIDDEN_PX, planes[j].contour(), nowUs)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void add(TrackPlane plane) {

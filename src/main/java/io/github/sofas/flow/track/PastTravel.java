@@ -1,0 +1,27 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.flow.motion.Motion;
+
+/** How far a structure has come along its motion of late. */
+final class PastTravel {
+    /** Parts of the time in which the speed is looked at. */
+    private static final int PARTS = 4;
+
+    private final Motion past = new Motion();
+
+    /**
+     * Travel until now, in px.
+     *
+     * @param radius of the structure in px
+     */
+    double px(Motion motion, double radius, long fromUs, long nowUs) {
+        long us = nowUs - fromUs;
+        past.copyFrom(motion);
+        double speeds = 0;
+        for (int i = 0; i < PARTS; i++) {
+            past.moveReference(nowUs - us * (2 * i + 1) / (2 * PARTS));
+            speeds += past.speed(radius);
+        }
+        return speeds / PARTS * us * 1e-6;
+    }
+}
