@@ -82,6 +82,7 @@ final class Measurement {
     private static final double BLURRED_PX = 5;
 
     private final SteppedProjection stepped = new SteppedProjection();
+    private final Motion mid = new Motion();
     private final MotionChange change = new MotionChange();
     private final MotionLoss loss = new MotionLoss();
     private final Prediction prediction = new Prediction();
@@ -239,9 +240,11 @@ final class Measurement {
         return n <= least ? n : (int) Math.max(least, Math.min(most, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
     }
 
-    /** Metric of the live events along a motion whose reference is the middle of their window. */
-    double metric(Motion motion, LiveEvents live, double radius, MetricFit fit) {
-        load(motion, live, radius, fit);
+    /** Metric of the live events along a motion, in the middle of their window. */
+    double metric(Motion motion, LiveEvents live, double radius, MetricFit fit, long nowUs) {
+        mid.copyFrom(motion);
+        mid.moveReference(live.oldestUs() + (nowUs - live.oldestUs()) / 2);
+        load(mid, live, radius, fit);
         return fit.metric();
     }
 

@@ -30,7 +30,6 @@ final class SpeedByEvents {
 
     private final PastTravel travel = new PastTravel();
     private final Motion slower = new Motion();
-    private final Motion mid = new Motion();
 
     /**
      * Has a motion go on more slowly, if the events tell so. The velocity of now becomes less, and that in the middle
@@ -84,12 +83,7 @@ final class SpeedByEvents {
     /** Whether the events meet more often along the slower motion than along the one that is known. */
     private boolean isSharper(Motion motion, LiveEvents live, double radius, Measurement measurement, MetricFit fit,
                               long nowUs) {
-        long midUs = live.oldestUs() + (nowUs - live.oldestUs()) / 2;
-        mid.copyFrom(motion);
-        mid.moveReference(midUs);
-        double known = measurement.metric(mid, live, radius, fit);
-        mid.copyFrom(slower);
-        mid.moveReference(midUs);
-        return measurement.metric(mid, live, radius, fit) > known;
+        double known = measurement.metric(motion, live, radius, fit, nowUs);
+        return measurement.metric(slower, live, radius, fit, nowUs) > known;
     }
 }

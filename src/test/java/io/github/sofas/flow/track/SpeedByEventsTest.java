@@ -21,7 +21,6 @@ public class SpeedByEventsTest {
     private final Motion motion = new Motion();
     private final Measurement measurement = new Measurement(SofasParameters.defaults().track());
     private final MetricFit fit = new MetricFit(100, 100, MetricFit.CELL_PX, 4096, 1000);
-
     private boolean inFullView = true;
 
     private boolean correct(LiveEvents live) {
