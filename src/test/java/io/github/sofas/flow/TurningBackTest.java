@@ -3,83 +3,106 @@ package io.github.sofas.flow;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import io.github.sofas.event.EventBatch;
-import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.PlainPlane.Event;
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.List;
-import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
 import org.junit.Test;
 
-/** A disc of 32 px that goes right at 60 px/s for a second, and from then on is pulled back by 200 px/s². */
+/** A disc that goes right at 60 px/s for a second, and then slows down by 200 px/s²: it stands at 1.3 s. */
 public class TurningBackTest {
-    private static final SensorSize SENSOR = new SensorSize(200, 64);
-    private static final double RADIUS_PX = 16;
     private static final double PX_PER_S = 60;
     private static final double PX_PER_S2 = 200;
-    /** It stands at 1.3 s, and is as fast as before at 1.6 s. */
-    private static final double UNTIL_S = 1.6;
+    private static final double STANDS_S = 1.3;
+    private static final double STANDS_PX = 40 + PX_PER_S + PX_PER_S * 0.3 / 2;
     private static final double STEP_S = 1e-4;
 
-    private static double centreX(double timeS) {
-        double pulledS = Math.max(0, timeS - 1);
-        return 40 + PX_PER_S * timeS - PX_PER_S2 / 2 * pulledS * pulledS;
-    }
+    /** Of the events from 1.2 s on, those that have its segment of before, and how far off their velocities are. */
+    private static final class Followed implements DiscFilm.Labels {
+        private final DoubleUnaryOperator vx;
+        private int id;
+        private int events;
+        private int labelled;
+        private double off;
 
-    private static double vx(double timeS) {
-        return PX_PER_S - PX_PER_S2 * Math.max(0, timeS - 1);
-    }
+        Followed(DoubleUnaryOperator vx) {
+            this.vx = vx;
+        }
 
-    /** Each pixel that its outline passes fires once, a tenth of a px early or late. */
-    private static List<Event> film() {
-        List<Event> events = new ArrayList<>();
-        Random random = new Random(1);
-        for (int pixel = 0; pixel < SENSOR.width() * SENSOR.height(); pixel++) {
-            double x = pixel % SENSOR.width() + 0.1 * random.nextGaussian();
-            double y = pixel / SENSOR.width() - SENSOR.height() / 2.0;
-            boolean covered = isCovered(x, y, 0);
-            for (int k = 1; k * STEP_S < UNTIL_S; k++) {
-                boolean before = covered;
-                covered = isCovered(x, y, k * STEP_S);
-                if (covered != before) {
-                    events.add(new Event(pixel % SENSOR.width(), pixel / SENSOR.width(),
-                        (long) (k * STEP_S * 1e6) + random.nextInt((int) (STEP_S * 1e6)), covered ? -1 : 1));
-                }
+        @Override
+        public void take(double timeS, int segment, double itsVx, double itsVy) {
+            if (timeS < 1) {
+                id = segment;
+            } else if (timeS > 1.2) {
+                events++;
+                labelled += segment == id ? 1 : 0;
+                off += Math.hypot(itsVx - vx.applyAsDouble(timeS), itsVy);
             }
         }
-        events.sort(Comparator.comparingLong(Event::timeUs));
-        return events;
+
+        private double share() {
+            assertTrue("followed before", id > 0);
+            return (double) labelled / events;
+        }
+
+        private double offPxPerS() {
+            return off / events;
+        }
     }
 
-    private static boolean isCovered(double x, double y, double timeS) {
-        return Math.hypot(x - centreX(timeS), y) < RADIUS_PX;
+    private static double untilItStandsX(double timeS) {
+        double slowedS = Math.max(0, timeS - 1);
+        return 40 + PX_PER_S * timeS - PX_PER_S2 / 2 * slowedS * slowedS;
+    }
+
+    private static double untilItStandsVx(double timeS) {
+        return PX_PER_S - PX_PER_S2 * Math.max(0, timeS - 1);
     }
 
     @Test
     public void whatTurnsBackIsFollowedByItsSegmentWithItsVelocity() {
-        Sofas sofas = new Sofas(SENSOR, SofasParameters.defaults());
-        EventBatch batch = new EventBatch(1);
-        FlowOutput flow = new FlowOutput(1);
-        int events = 0;
-        int labelled = 0;
-        double off = 0;
-        int id = 0;
-        for (Event e : film()) {
-            batch.clear();
-            batch.add(e.timeUs(), e.x(), e.y(), e.polarity());
-            sofas.process(batch, flow);
-            double timeS = e.timeUs() * 1e-6;
-            if (timeS < 1) {
-                id = flow.segment[0];
-            } else if (timeS > 1.2) {
-                events++;
-                labelled += flow.segment[0] == id ? 1 : 0;
-                off += Math.hypot(flow.vxPxPerS[0] - vx(timeS), flow.vyPxPerS[0]);
-            }
-        }
-        assertTrue("followed before", id > 0);
-        assertEquals("events of its segment", 1, (double) labelled / events, 0.1);
-        assertTrue(off / events + " px/s off", off / events < 10);
+        Followed followed = new Followed(TurningBackTest::untilItStandsVx);
+        DiscFilm.show(TurningBackTest::untilItStandsX, 1.6, STEP_S, followed);
+        assertEquals("events of its segment", 1, followed.share(), 0.05);
+        assertEquals("px/s off", 0, followed.offPxPerS(), 10);
+    }
+
+    /** It stands until 1.7 s, and sets off by the same acceleration, to the right or to the left. */
+    private static Followed showStanding(int direction) {
+        Followed followed = new Followed(timeS -> timeS < STANDS_S ? untilItStandsVx(timeS)
+            : direction * PX_PER_S2 * Math.max(0, timeS - 1.7));
+        DiscFilm.show(timeS -> {
+            double setOffS = Math.max(0, timeS - 1.7);
+            return timeS < STANDS_S ? untilItStandsX(timeS) : STANDS_PX + direction * PX_PER_S2 / 2 * setOffS * setOffS;
+        }, 2, STEP_S, followed);
+        return followed;
+    }
+
+    @Test
+    public void whatStandsAndGoesOnIsFollowedByItsSegment() {
+        Followed followed = showStanding(1);
+        assertEquals("events of its segment", 1, followed.share(), 0.05);
+        assertEquals("px/s off", 0, followed.offPxPerS(), 10);
+    }
+
+    @Test
+    public void whatStandsAndGoesBackIsFollowedByItsSegment() {
+        Followed followed = showStanding(-1);
+        assertEquals("events of its segment", 1, followed.share(), 0.05);
+        assertEquals("px/s off", 0, followed.offPxPerS(), 10);
+    }
+
+    @Test
+    public void whatStopsWithinAPixelAndGoesOnIsFollowedByItsSegment() {
+        Followed followed = new Followed(timeS -> timeS < STANDS_S || timeS > 1.7 ? PX_PER_S : 0);
+        DiscFilm.show(timeS -> 40 + PX_PER_S * (Math.min(timeS, STANDS_S) + Math.max(0, timeS - 1.7)), 2, STEP_S,
+            followed);
+        assertEquals("events of its segment", 1, followed.share(), 0.1);
+    }
+
+    @Test
+    public void whatIsSeenInFramesDoesNotStandBetweenThem() {
+        Followed followed = new Followed(timeS -> PX_PER_S);
+        // two px from one to the next
+        DiscFilm.show(timeS -> 40 + PX_PER_S * timeS, 2, 2 / PX_PER_S, followed);
+        assertEquals("events of its segment", 1, followed.share(), 0);
+        assertEquals("px/s off", 0, followed.offPxPerS(), 1);
     }
 }

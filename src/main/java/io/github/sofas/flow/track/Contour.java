@@ -43,6 +43,8 @@ final class Contour {
     /** Place in the frame of the event whose support was asked for last. */
     private double lastX;
     private double lastY;
+    /** Whether events of either polarity are expected where those of one were seen. */
+    private boolean expectsEither;
 
     private int threshold;
     private double sureSupport;
@@ -79,6 +81,7 @@ final class Contour {
         wipe();
         frame.anchor(along, 0);
         fadedUs = along.referenceUs;
+        expectsEither = false;
         threshold = LEAST_SUPPORT;
         sureSupport = Double.MAX_VALUE;
         centreX = 0;
@@ -110,12 +113,21 @@ final class Contour {
         return radius;
     }
 
+    /** Expects events of either polarity where those of one were seen, or of that one alone. */
+    void expectEither(boolean either) {
+        expectsEither = either;
+    }
+
+    private int expected(int polarity) {
+        return expectsEither ? ContourCells.EITHER : polarity;
+    }
+
     /** Support of an event by the events of late around its cell. */
     int support(int x, int y, long timeUs, int polarity) {
         frame.advance(timeUs);
         lastX = frame.x(x, y);
         lastY = frame.y(x, y);
-        return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), polarity);
+        return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), expected(polarity));
     }
 
     /**
@@ -150,7 +162,7 @@ final class Contour {
 
     /** Support by the cells nearest, of the event whose support was asked for last and that has any. */
     int closeSupport(int polarity) {
-        return cells.closeSupport(ContourCells.firstOfTwo(lastX), ContourCells.firstOfTwo(lastY), polarity);
+        return cells.closeSupport(ContourCells.firstOfTwo(lastX), ContourCells.firstOfTwo(lastY), expected(polarity));
     }
 
     /**
@@ -277,9 +289,10 @@ final class Contour {
             if (!cells.isInBox(cx, cy)) {
                 continue;
             }
-            support += cells.support(cx, cy, live.sign[i]);
+            int polarity = expected(live.sign[i]);
+            support += cells.support(cx, cy, polarity);
             closeSupport += cells.closeSupport(ContourCells.firstOfTwo(inFrameX), ContourCells.firstOfTwo(inFrameY),
-                live.sign[i]);
+                polarity);
             sumX += x;
             sumY += y;
             squares += x * x + y * y;
@@ -298,8 +311,7 @@ final class Contour {
 
     /** Whether an event of either polarity on an occupied cell is on the contour. */
     private boolean isContour(int cx, int cy) {
-        return cells.isOccupied(cx, cy)
-            && Math.max(cells.support(cx, cy, 1), cells.support(cx, cy, -1)) >= threshold;
+        return cells.isOccupied(cx, cy) && cells.support(cx, cy, ContourCells.EITHER) >= threshold;
     }
 
     /** Shows the occupied cells that would put an event of either polarity on the contour, carried on to a time. */

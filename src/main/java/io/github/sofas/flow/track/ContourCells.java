@@ -20,6 +20,8 @@ final class ContourCells {
     static final int MARGIN = 24;
     /** Parts of the lifetime that are told apart. */
     static final int SIXTEENTHS = Short.SIZE;
+    /** In place of a polarity, the one of which more was seen. */
+    static final int EITHER = 0;
     private static final int NEWEST = 1 << SIXTEENTHS - 1;
     private static final int ALL = (1 << SIXTEENTHS) - 1;
 
@@ -101,6 +103,8 @@ final class ContourCells {
     /**
      * Twice the sixteenths in which events of an event's own polarity fell around a cell, less those of the other: -16
      * to 32; 0 beyond the box.
+     *
+     * @param polarity 1 or -1; {@link #EITHER} for the one that has more
      */
     int support(int cx, int cy, int polarity) {
         if (!isInBox(cx, cy)) {
@@ -112,7 +116,8 @@ final class ContourCells {
     private static int support(int sixteenths, int polarity) {
         int on = Integer.bitCount(sixteenths & ALL);
         int off = Integer.bitCount(sixteenths >>> SIXTEENTHS);
-        return polarity > 0 ? 2 * on - off : 2 * off - on;
+        return polarity == EITHER ? 2 * Math.max(on, off) - Math.min(on, off)
+            : polarity > 0 ? 2 * on - off : 2 * off - on;
     }
 
     /**

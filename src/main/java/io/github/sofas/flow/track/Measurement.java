@@ -84,6 +84,7 @@ final class Measurement {
     private final SteppedProjection stepped = new SteppedProjection();
     private final Motion mid = new Motion();
     private final MotionChange change = new MotionChange();
+    private final Turn turn = new Turn();
     private final MotionLoss loss = new MotionLoss();
     private final Prediction prediction = new Prediction();
     private SofasParameters.Track p;
@@ -248,8 +249,27 @@ final class Measurement {
         return fit.metric();
     }
 
-    /** Projects a sample of the live events to the motion's reference; returns how many of it were shared. */
+    /**
+     * Projects a sample of the live events to the motion's reference. Where the motion turned back among them, those of
+     * before are of the polarity that their edges have now, if that makes all of them sharper: if not, it is the turn
+     * that is not known yet.
+     *
+     * @return how many of the sample were shared
+     */
     private int load(Motion motion, LiveEvents live, double radius, MetricFit fit) {
+        int shared = load(motion, live, radius, fit, false);
+        turn.take(motion, live.newestUs());
+        if (turn.isAfter(live.oldestUs())) {
+            double metric = fit.metric();
+            load(motion, live, radius, fit, true);
+            if (fit.metric() < metric) {
+                load(motion, live, radius, fit, false);
+            }
+        }
+        return shared;
+    }
+
+    private int load(Motion motion, LiveEvents live, double radius, MetricFit fit, boolean turned) {
         fit.clear();
         int want = sample(live.size());
         int shared = 0;
@@ -265,7 +285,8 @@ final class Measurement {
             double x = stepped.x(live.x[i], live.y[i]);
             double y = stepped.y(live.x[i], live.y[i]);
             fit.add((float) x, (float) y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
-                (float) (x - motion.centreX), (float) (y - motion.centreY), live.sign[i]);
+                (float) (x - motion.centreX), (float) (y - motion.centreY),
+                turned ? turn.polarity(live.timeUs[i], live.sign[i]) : live.sign[i]);
         }
         return shared;
     }

@@ -26,6 +26,7 @@ final class Recentring {
     private final EventDensity density = new EventDensity();
     private final FreshVelocity fresh = new FreshVelocity();
     private final SpeedByEvents byEvents = new SpeedByEvents();
+    private final Rest rest = new Rest();
     private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private long lifetimeUs;
@@ -132,6 +133,20 @@ final class Recentring {
             followLifetime(motion, radius);
         }
         return isCorrected;
+    }
+
+    /** The time since which the structure is at rest; {@link Rest#NEVER} where it is not. */
+    long restsSinceUs(Motion motion, double radius, boolean inFullView, long nowUs) {
+        return rest.sinceUs(motion, live, density, radius, inFullView, nowUs);
+    }
+
+    /** Lets go all events, and measures those that come from the motion of now on. */
+    void beginAnew(Motion motion, double radius) {
+        live.clear();
+        density.start();
+        measurement.restart();
+        sinceMeasured = 0;
+        followLifetime(motion, radius);
     }
 
     /** Whether the structure gets fewer events than its motion lets expect. */

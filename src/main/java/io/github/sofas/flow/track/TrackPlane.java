@@ -58,6 +58,7 @@ public final class TrackPlane {
     private final ContourMemory memory;
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
+    private final Turn turn = new Turn();
     private final Recentring recentring;
     private final MeasuredMotion measured;
 
@@ -276,17 +277,34 @@ public final class TrackPlane {
     }
 
     /**
-     * Corrects the motion by how its events thin out; before {@link #update} lets events go, since of what is slower
-     * they are kept for longer. Not along a straight edge, whose velocity is not known: what slides along itself gives
-     * more or fewer events at any speed.
+     * Corrects the motion by how its events thin out, or end; before {@link #update} lets events go, since of what is
+     * slower they are kept for longer. Not along a straight edge, whose velocity is not known: what slides along itself
+     * gives more or fewer events at any speed.
      *
      * @param isHidden whether others lie where they may hide a part of it
      */
     void correctSpeed(boolean isHidden, MetricFit fit, long nowUs) {
-        if (isVelocityKnown() && recentring.correctSpeed(motion, contour.radius(), !isHidden && isInside(nowUs), fit,
-                nowUs)) {
+        if (!isVelocityKnown()) {
+            return;
+        }
+        boolean inFullView = !isHidden && isInside(nowUs);
+        long restsSinceUs = recentring.restsSinceUs(motion, contour.radius(), inFullView, nowUs);
+        if (restsSinceUs != Rest.NEVER) {
+            rest(restsSinceUs, nowUs);
+        } else if (recentring.correctSpeed(motion, contour.radius(), inFullView, fit, nowUs)) {
             contour.follow(motion);
         }
+    }
+
+    /** Takes it to have come to rest: from then on it is waited for where it was. */
+    private void rest(long sinceUs, long nowUs) {
+        motion.moveReference(sinceUs);
+        memory.follow(motion, memoryUs());
+        motion.set(sinceUs, 0, 0);
+        contour.follow(motion);
+        memory.follow(motion, memoryUs());
+        motion.moveReference(nowUs);
+        recentring.beginAnew(motion, contour.radius());
     }
 
     /** Whether all of its contour lies within the sensor, by a pixel or two. */
@@ -304,6 +322,8 @@ public final class TrackPlane {
     State update(long nowUs, double noise) {
         noisePerUs = noise;
         recentring.goOn(nowUs);
+        turn.take(motion, nowUs);
+        contour.expectEither(turn.isNear(lifetimeUs()));
         contour.fade(nowUs, contourUs());
         recentring.followDensity(motion, contour.radius(), nowUs);
         if (!recentring.isStarved()) {

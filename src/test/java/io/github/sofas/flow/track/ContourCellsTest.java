@@ -45,6 +45,16 @@ public class ContourCellsTest {
     }
 
     @Test
+    public void supportOfEitherPolarityIsThatOfTheOneThatWasSeenMore() {
+        cells.see(5, 3, 1, 0);
+        cells.see(5, 3, -1, 1);
+        cells.see(5, 3, -1, 2);
+        assertEquals(2 - 2, support(5, 3, 1));
+        assertEquals(2 * 2 - 1, support(5, 3, ContourCells.EITHER));
+        assertEquals(2 * 2 - 1, closeSupport(5, 3, ContourCells.EITHER));
+    }
+
+    @Test
     public void closeSupportIsThatOfTheFourCellsNearest() {
         cells.see(5, 3, 1, 0);
         cells.see(5, 3, 1, 4);

@@ -55,6 +55,19 @@ public class ContourTest {
     }
 
     @Test
+    public void eventsOfTheOtherPolarityAreSupportedWhereEitherIsExpected() {
+        startAtRest();
+        contour.add(30, 20, 0, 1, 0, 1);
+        assertEquals(-1, contour.support(30, 20, 0, -1));
+        contour.expectEither(true);
+        assertEquals(2, contour.support(30, 20, 0, -1));
+        assertEquals(2, contour.closeSupport(-1));
+        contour.start(motion);
+        contour.add(30, 20, 0, 1, 0, 1);
+        assertEquals("begun anew", -1, contour.support(30, 20, 0, -1));
+    }
+
+    @Test
     public void eventIsSupportedByTheNineCellsAroundIt() {
         startAtRest();
         contour.add(30, 20, 0, 1, 0, 1);

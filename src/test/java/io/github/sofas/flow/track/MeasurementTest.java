@@ -65,6 +65,33 @@ public class MeasurementTest {
         nowUs += STEP_US;
     }
 
+    /** An upright edge that enters columns at 100 px/s - 1000 px/s² t, and leaves them again from 0.1 s on. */
+    private static LiveEvents thereAndBack(int polarityBack) {
+        LiveEvents events = new LiveEvents();
+        for (int leaves = 0; leaves < 2; leaves++) {
+            for (int k = 0; k < 5; k++) {
+                int column = leaves == 0 ? k : 4 - k;
+                // 100 t - 500 t² = column
+                double root = Math.sqrt(100 * 100 - 4 * 500 * column);
+                long timeUs = Math.round((100 + (leaves == 0 ? -root : root)) / 1000 * 1e6);
+                for (int y = 35; y < 65; y++) {
+                    events.add(20 + column, y, timeUs, leaves == 0 ? 1 : polarityBack, Claim.OWN, 0);
+                }
+            }
+        }
+        return events;
+    }
+
+    @Test
+    public void eventsOfAnEdgeThatTurnsBackMeetWhateverItsPolarity() {
+        motion.set(100_000, 0, 0);
+        motion.ax = -1000;
+        double same = measurement.metric(motion, thereAndBack(1), 0, fit, 200_000);
+        double other = measurement.metric(motion, thereAndBack(-1), 0, fit, 200_000);
+        assertEquals("150 events there and 150 back, on one line of 30 rows", same, other, 1e-6 * same);
+        assertTrue(same > 0);
+    }
+
     private long lifetimeUs() {
         return (long) (measurement.lifetimePx() / Math.hypot(motion.vx, motion.vy) * 1e6);
     }

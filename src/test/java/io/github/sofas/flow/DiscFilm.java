@@ -1,0 +1,68 @@
+package io.github.sofas.flow;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.PlainPlane.Event;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
+
+/** A disc that moves along the middle row of a sensor, and the labels that its events get. */
+final class DiscFilm {
+    private static final SensorSize SENSOR = new SensorSize(200, 64);
+    private static final double RADIUS_PX = 16;
+
+    /** Takes an event and its label. */
+    interface Labels {
+        /** Takes an event of this time, the segment that it is of, and its velocity. */
+        void take(double timeS, int segment, double vx, double vy);
+    }
+
+    private DiscFilm() {
+    }
+
+    /**
+     * Shows a disc to an engine.
+     *
+     * @param centreX column of its centre by the time in s
+     * @param stepS time from one look at it to the next: each pixel that its outline passes between them fires once, as
+     *     if it lay a tenth of a px to one side
+     */
+    static void show(DoubleUnaryOperator centreX, double untilS, double stepS, Labels labels) {
+        Sofas sofas = new Sofas(SENSOR, SofasParameters.defaults());
+        EventBatch batch = new EventBatch(1);
+        FlowOutput flow = new FlowOutput(1);
+        for (Event e : events(centreX, untilS, stepS)) {
+            batch.clear();
+            batch.add(e.timeUs(), e.x(), e.y(), e.polarity());
+            sofas.process(batch, flow);
+            labels.take(e.timeUs() * 1e-6, flow.segment[0], flow.vxPxPerS[0], flow.vyPxPerS[0]);
+        }
+    }
+
+    private static List<Event> events(DoubleUnaryOperator centreX, double untilS, double stepS) {
+        List<Event> events = new ArrayList<>();
+        Random random = new Random(1);
+        for (int pixel = 0; pixel < SENSOR.width() * SENSOR.height(); pixel++) {
+            double x = pixel % SENSOR.width() + 0.1 * random.nextGaussian();
+            double y = pixel / SENSOR.width() - SENSOR.height() / 2.0;
+            boolean covered = isCovered(x, y, centreX.applyAsDouble(0));
+            for (int k = 1; k * stepS < untilS; k++) {
+                boolean before = covered;
+                covered = isCovered(x, y, centreX.applyAsDouble(k * stepS));
+                if (covered != before) {
+                    events.add(new Event(pixel % SENSOR.width(), pixel / SENSOR.width(),
+                        (long) (k * stepS * 1e6) + random.nextInt(100), covered ? -1 : 1));
+                }
+            }
+        }
+        events.sort(Comparator.comparingLong(Event::timeUs));
+        return events;
+    }
+
+    private static boolean isCovered(double x, double y, double centreX) {
+        return Math.hypot(x - centreX, y) < RADIUS_PX;
+    }
+}
