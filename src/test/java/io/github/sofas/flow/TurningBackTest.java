@@ -6,7 +6,9 @@ import static org.junit.Assert.assertTrue;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.Test;
 
-/** A disc that goes right at 60 px/s for a second, and then slows down by 200 px/s²: it stands at 1.3 s. */
+/**
+ * A disc that goes right at 60 px/s. Where it slows down, it does from 1 s on, by 200 px/s²: it stands at 1.3 s.
+ */
 public class TurningBackTest {
     private static final double PX_PER_S = 60;
     private static final double PX_PER_S2 = 200;

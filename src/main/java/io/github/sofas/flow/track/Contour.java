@@ -29,6 +29,8 @@ final class Contour {
     private static final double SURE_SHARE = 0.6;
     /** Room around the box that the contour does not leave, for the frame's steps and for what is rounded, in px. */
     private static final double REACH_ROOM_PX = 1;
+    /** Distance from the border of the sensor within which the contour may be cut off by it, in px. */
+    private static final double BORDER_PX = 2;
     /** Live events that threshold, centre and radius are measured from. */
     private static final int SAMPLE = 256;
 
@@ -370,6 +372,18 @@ final class Contour {
     boolean isWithin(double gap, Contour other, long nowUs) {
         return left(nowUs) <= other.right(nowUs) + gap && other.left(nowUs) <= right(nowUs) + gap
             && top(nowUs) <= other.bottom(nowUs) + gap && other.top(nowUs) <= bottom(nowUs) + gap;
+    }
+
+    /** Whether all of it lies within the sensor, and none so near the border that more may lie beyond. */
+    boolean isInside(long nowUs) {
+        return !isEmpty() && left(nowUs) > BORDER_PX && top(nowUs) > BORDER_PX
+            && right(nowUs) < sensorWidth - 1 - BORDER_PX && bottom(nowUs) < sensorHeight - 1 - BORDER_PX;
+    }
+
+    /** Whether all of it lies beyond the sensor. */
+    boolean hasLeft(long nowUs) {
+        return !isEmpty() && (right(nowUs) < 0 || left(nowUs) >= sensorWidth || bottom(nowUs) < 0
+            || top(nowUs) >= sensorHeight);
     }
 
     /** Whether no cell is occupied. */

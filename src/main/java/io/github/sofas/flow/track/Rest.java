@@ -27,8 +27,7 @@ final class Rest {
     private static final int LEAST_EVENTS = 4;
 
     private final PastTravel travel = new PastTravel();
-    private final Motion then = new Motion();
-    private final Motion now = new Motion();
+    private final Turn turn = new Turn();
 
     /**
      * The time since which a structure is at rest, about which its last events came; {@link #NEVER} where it is not.
@@ -49,7 +48,8 @@ final class Rest {
                 || nowUs - sinceUs < PAUSES * longestUs(live, newest)) {
             return NEVER;
         }
-        return inFullView || turnsBack(motion, sinceUs, nowUs) ? sinceUs : NEVER;
+        turn.take(motion, nowUs);
+        return inFullView || turn.isAfter(sinceUs) ? sinceUs : NEVER;
     }
 
     /** The longest time that so many events in a row took. */
@@ -59,14 +59,5 @@ final class Rest {
             longestUs = Math.max(longestUs, live.timeUs[live.index(k)] - live.timeUs[live.index(k - newest + 1)]);
         }
         return longestUs;
-    }
-
-    /** Whether a motion has another direction now than it had. */
-    private boolean turnsBack(Motion motion, long thenUs, long nowUs) {
-        then.copyFrom(motion);
-        then.moveReference(thenUs);
-        now.copyFrom(motion);
-        now.moveReference(nowUs);
-        return then.vx * now.vx + then.vy * now.vy < 0;
     }
 }

@@ -37,8 +37,6 @@ public final class TrackPlane {
     private static final int MOST_TO_TWO = 8;
     /** Standard deviations of the metric that a shift of both ends of the window by a pixel loses where it is known. */
     private static final double KNOWN_SIGMAS = 1;
-    /** Distance from the border of the sensor within which a contour may be cut off by it, in px. */
-    private static final double BORDER_PX = 2;
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
@@ -287,7 +285,7 @@ public final class TrackPlane {
         if (!isVelocityKnown()) {
             return;
         }
-        boolean inFullView = !isHidden && isInside(nowUs);
+        boolean inFullView = !isHidden && contour.isInside(nowUs);
         long restsSinceUs = recentring.restsSinceUs(motion, contour.radius(), inFullView, nowUs);
         if (restsSinceUs != Rest.NEVER) {
             rest(restsSinceUs, nowUs);
@@ -305,13 +303,6 @@ public final class TrackPlane {
         memory.follow(motion, memoryUs());
         motion.moveReference(nowUs);
         recentring.beginAnew(motion, contour.radius());
-    }
-
-    /** Whether all of its contour lies within the sensor, by a pixel or two. */
-    private boolean isInside(long nowUs) {
-        return !contour.isEmpty() && contour.left(nowUs) > BORDER_PX && contour.top(nowUs) > BORDER_PX
-            && contour.right(nowUs) < sensor.width() - 1 - BORDER_PX
-            && contour.bottom(nowUs) < sensor.height() - 1 - BORDER_PX;
     }
 
     /**
@@ -335,17 +326,12 @@ public final class TrackPlane {
         if (recentring.measurement().isBlurred()) {
             state = State.ENDED;
         }
-        if (state == State.WAITED_FOR && (nowUs - waitingSinceUs >= memoryUs() || hasLeft(nowUs))) {
+        if (state == State.WAITED_FOR && (nowUs - waitingSinceUs >= memoryUs() || contour.hasLeft(nowUs))) {
             state = State.ENDED;
         }
         adrift = state == State.WAITED_FOR && nowUs - waitingSinceUs >= lifetimeUs() / ADRIFT_PART
             && measured.isOther(motion);
         return state;
-    }
-
-    private boolean hasLeft(long nowUs) {
-        return !contour.isEmpty() && (contour.right(nowUs) < 0 || contour.left(nowUs) >= sensor.width()
-            || contour.bottom(nowUs) < 0 || contour.top(nowUs) >= sensor.height());
     }
 
     /** Measures the motion of a structure that gets few events and would else wait long. */

@@ -55,6 +55,19 @@ public class ContourTest {
     }
 
     @Test
+    public void contourIsInsideMoreThanTwoPixelsFromTheBorderAndHasLeftBeyondIt() {
+        start(-100, 0);
+        assertFalse("nothing is anywhere", contour.isInside(0));
+        assertFalse(contour.hasLeft(0));
+        // columns 3 to 7
+        addBlock(3, 40, 5);
+        assertTrue(contour.isInside(0));
+        assertFalse("from column 2 on", contour.isInside(10_000));
+        assertFalse("up to column 0", contour.hasLeft(70_000));
+        assertTrue(contour.hasLeft(80_000));
+    }
+
+    @Test
     public void eventsOfTheOtherPolarityAreSupportedWhereEitherIsExpected() {
         startAtRest();
         contour.add(30, 20, 0, 1, 0, 1);
