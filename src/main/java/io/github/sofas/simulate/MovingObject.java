@@ -3,7 +3,7 @@ package io.github.sofas.simulate;
 /**
  * An opaque object, rigid but for its size.
  *
- * @param id what the truth calls it, from 1
+ * @param id what the truth calls it, from 1; the pieces of one body have the same
  * @param shape its outline
  * @param trajectory its path
  * @param light its brightness as a multiple of the background's, above 0

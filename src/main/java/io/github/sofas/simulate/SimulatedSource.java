@@ -209,7 +209,7 @@ public final class SimulatedSource implements EventSource {
 
     /** {@return how many objects the scene has; the truth numbers them from 1} */
     public int objects() {
-        return world.objects().size();
+        return (int) world.objects().stream().mapToInt(MovingObject::id).distinct().count();
     }
 
     @Override

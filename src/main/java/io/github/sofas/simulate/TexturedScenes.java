@@ -52,11 +52,26 @@ final class TexturedScenes {
     static World hand(SimulationOptions options) {
         double speed = Scenes.speed(options, 60);
         double durationS = Scenes.duration(options, travelS(150 / speed));
+        return new World(List.of(wall(1, options, byHand(options, speed, 1, durationS))), durationS);
+    }
+
+    static World poster(SimulationOptions options) {
+        double speed = Scenes.speed(options, 60);
+        double durationS = Scenes.duration(options, travelS(150 / speed));
+        return new World(RandomScene.poster(1, options, byHand(options, speed, 0.25, durationS)), durationS);
+    }
+
+    /**
+     * How a wall moves before a camera that is held by hand.
+     *
+     * @param turning share of a turn of 1 rad and a growth of a third in 100 px
+     */
+    private static Trajectory byHand(SimulationOptions options, double speed, double turning, double durationS) {
         Heading heading = new Heading(options);
         double midS = durationS / 2;
-        return new World(List.of(wall(1, options, new Sway(Scenes.centreX(options) - midS * heading.x(speed, 0),
+        return new Sway(Scenes.centreX(options) - midS * heading.x(speed, 0),
                 Scenes.centreY(options) - midS * heading.y(speed, 0), heading.x(speed, 0), heading.y(speed, 0),
-                speed / 100, speed / 300, 0.6, durationS / 2))), durationS);
+                turning * speed / 100, turning * speed / 300, 0.6, durationS / 2);
     }
 
     /** The speed is that of the outline at the end. */

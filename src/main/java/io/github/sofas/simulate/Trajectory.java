@@ -136,6 +136,42 @@ interface Trajectory {
     }
 
     /**
+     * The path of a point of a body, and of what is fixed to the body there.
+     *
+     * @param body the body's own path
+     * @param x where the point lies on the body, in px of its own size, as y
+     * @param angleRad by which what is fixed there is turned against the body
+     */
+    record Fixed(Trajectory body, double x, double y, double angleRad) implements Trajectory {
+        @Override
+        public void poseAt(double timeS, Pose pose) {
+            body.poseAt(timeS, pose);
+            double right = pose.scale * (pose.cos * x - pose.sin * y);
+            double down = pose.scale * (pose.sin * x + pose.cos * y);
+            pose.x += right;
+            pose.y += down;
+            pose.vxPxPerS += pose.growthPerS * right - pose.turnRadPerS * down;
+            pose.vyPxPerS += pose.growthPerS * down + pose.turnRadPerS * right;
+            double bodyCos = pose.cos;
+            double bodySin = pose.sin;
+            double cos = StrictMath.cos(angleRad);
+            double sin = StrictMath.sin(angleRad);
+            pose.cos = bodyCos * cos - bodySin * sin;
+            pose.sin = bodySin * cos + bodyCos * sin;
+        }
+
+        @Override
+        public double maxSpeedPxPerS(double distancePx) {
+            return body.maxSpeedPxPerS(distancePx + maxScale() * Math.sqrt(x * x + y * y));
+        }
+
+        @Override
+        public double maxScale() {
+            return body.maxScale();
+        }
+    }
+
+    /**
      * Coming nearer at constant speed along the line of sight of a point of the picture, which it grows away from. Its
      * size is 1 / (contactS - t), up to a factor: the camera is reached at contactS, and growth is 1 / (contactS - t).
      *

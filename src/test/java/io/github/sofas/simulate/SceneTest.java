@@ -43,6 +43,22 @@ public class SceneTest {
     }
 
     @Test
+    public void shapesOfAPosterAreOneBody() {
+        SimulatedRecording film = SimulatedRecording.of(Scene.POSTER, SimulationOptions.defaults());
+        assertEquals(1, film.objects());
+        boolean[] occupied = new boolean[16];
+        for (int i = 0; i < film.size(); i++) {
+            if (film.object[i] != 0) {
+                assertEquals(1, film.object[i]);
+                occupied[film.x[i] / 60 + 4 * (film.y[i] / 45)] = true;
+            }
+        }
+        for (boolean square : occupied) {
+            assertTrue("there are shapes everywhere", square);
+        }
+    }
+
+    @Test
     public void eachSeedGivesAnotherRandomSceneWithinItsBounds() {
         boolean[] counts = new boolean[9];
         int textured = 0;

@@ -72,10 +72,25 @@ public class TrajectoryTest {
     }
 
     @Test
+    public void whatIsFixedToABodyGoesAndTurnsWithIt() {
+        // a quarter turn after 1 s puts what was 10 px to the right 10 px below, moving left at 10 pi/2 px/s
+        Trajectory body = new Trajectory.Rotation(100, 50, 0, Math.PI / 2);
+        Trajectory fixed = new Trajectory.Fixed(body, 10, 0, Math.PI / 2);
+        fixed.poseAt(1, pose);
+        assertEquals(100, pose.x, 1e-9);
+        assertEquals(60, pose.y, 1e-9);
+        assertEquals(-5 * Math.PI, pose.vxPxPerS, 1e-9);
+        assertEquals(0, pose.vyPxPerS, 1e-9);
+        assertEquals("half a turn in all", -1, pose.cos, 1e-9);
+        assertEquals(Math.PI / 2 * 13, fixed.maxSpeedPxPerS(3), 1e-9);
+    }
+
+    @Test
     public void velocityIsTheDerivativeOfPlaceOnEveryTrajectory() {
         List<Trajectory> trajectories = List.of(
                 new Trajectory.Straight(5, 6, 1, 58, -20, 0.5),
                 new Trajectory.Rotation(5, 6, 0.5, -3),
+                new Trajectory.Fixed(new Trajectory.Sway(5, 6, 58, -20, 0.5, 0.2, 0.6, 1.5), 40, -30, 0.5),
                 new Trajectory.ThereAndBack(5, 6, 58, -20, 4, 0),
                 new Pendulum(120, 90, 373, 0.6),
                 new Wander(60, 60, 1, 120, 90, 90, 60, 58, 4, new Random(3)));
