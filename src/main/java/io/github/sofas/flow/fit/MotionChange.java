@@ -76,8 +76,12 @@ public final class MotionChange {
     private double bendSigmas;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
     private double evidence;
-    /** Whether the structure is known to be one body, whatever shows within parts of it. */
-    private boolean isOneBody;
+    /** Whether the structure is known to turn as one body, and to grow as one, whatever shows within parts of it. */
+    private boolean turnsAsOne;
+    private boolean growsAsOne;
+    /** Rotation and growth as all of the structure shows them, were it one body. */
+    private double ofAllOmega;
+    private double ofAllGrowth;
     /** Radius of the structure when it was measured last, in px. */
     private double radius;
     /** Shifts at the end of the window that may be noise of as many events as are measured, in px. */
@@ -93,6 +97,8 @@ public final class MotionChange {
         shownAcross = 0;
         bendSigmas = 0;
         evidence = 0;
+        ofAllOmega = 0;
+        ofAllGrowth = 0;
         radius = 0;
         measurements = 0;
         structure.restart();
@@ -161,8 +167,10 @@ public final class MotionChange {
                 ? fit.localEvidence(newOmega, newGrowth, newOmega - turned, newGrowth - grown) : 0;
             evidence += EVIDENCE_GAIN * (shows - evidence);
         }
-        double sure = sure();
-        double sureOfTurning = isOneBody ? 1 : sure;
+        ofAllOmega = newOmega;
+        ofAllGrowth = newGrowth;
+        double sure = growsAsOne ? 1 : sure();
+        double sureOfTurning = turnsAsOne ? 1 : sure;
         motion.omega = sureOfTurning * newOmega;
         motion.growth = sure * newGrowth;
         motion.growthChange = sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
@@ -220,14 +228,27 @@ public final class MotionChange {
         growthSlope.hold(HELD);
     }
 
-    /** Takes the structure for one body: two of its edges that turn together need not show it each by itself. */
-    public void takeForOneBody() {
-        isOneBody = true;
+    /** Takes what turns for one body: two edges of it that turn together need not show it each by itself. */
+    public void believeTurning() {
+        turnsAsOne = true;
+    }
+
+    /** Takes what turns and grows for one body: none of its parts need show it by itself. */
+    public void believeAll() {
+        turnsAsOne = true;
+        growsAsOne = true;
     }
 
     /** Takes it no more for one body than what shows within parts of it. */
     public void doubtBody() {
-        isOneBody = false;
+        turnsAsOne = false;
+        growsAsOne = false;
+    }
+
+    /** Lets a motion turn and grow as it does if it is one body, whatever shows within parts of it. */
+    public void applyOfAll(Motion motion) {
+        motion.omega = ofAllOmega;
+        motion.growth = ofAllGrowth;
     }
 
     /** Goes on with a motion that is known from elsewhere, which is no measurement of how it changes. */

@@ -91,6 +91,7 @@ final class Measurement {
     private int count;
     /** Metric per event of all live events. */
     private double density;
+    /** Factor that the frame is wider by after a step that left it. */
     private double widen;
     /** Whether the last measurement moved the motion far. */
     private boolean restless;
@@ -160,9 +161,19 @@ final class Measurement {
         change.hold(motion);
     }
 
-    /** Takes the structure for one body: its rotation need not show within parts of it. */
-    void takeForOneBody() {
-        change.takeForOneBody();
+    /** Takes what turns for one body, whose rotation need not show within parts of it. */
+    void believeTurning() {
+        change.believeTurning();
+    }
+
+    /** Takes what turns and grows for one body, whose rotation and growth need not show within parts of it. */
+    void believeAll() {
+        change.believeAll();
+    }
+
+    /** Lets a motion turn and grow as it does if the structure is one body. */
+    void applyOfAll(Motion motion) {
+        change.applyOfAll(motion);
     }
 
     /** Takes it no more for one body than what shows. */

@@ -5,7 +5,7 @@ import io.github.sofas.flow.motion.Motion;
 
 /**
  * Whether two track planes describe one structure (paper, section Algorithm: such are merged). Ours: boxes that touch
- * or nearly do, and one motion that serves both with little loss of metric.
+ * or nearly do, or have gone together for long, and one motion that serves both with little loss of metric.
  *
  * <p>What moves along itself is seen by its ends alone: the one covers what is behind it, the other uncovers it, so
  * that one fires ON and the other OFF events. Two such ends belong together across a gap in which nothing fires.
@@ -36,6 +36,11 @@ final class Merging {
     private static final double BODY_SHARE = 3;
     /** Travel that both must have been tracked for: over less, the rear of one body goes with the front of the next. */
     private static final double EDGES_TRAVEL_PX = 6;
+    /**
+     * Time in s in which what two planes speed up by, or slow down, counts as travel: that both change alike shows more
+     * than that they go on alike.
+     */
+    private static final double CHANGE_S = 0.2;
     /** Mean polarity that an edge has at least: a whole body has edges of either polarity. */
     private static final double LEAST_POLARITY = 0.6;
 
@@ -50,7 +55,11 @@ final class Merging {
         }
         boolean touch = a.contour().isWithin(GAP_PX, b.contour(), nowUs);
         areEdges = !touch && areOfOppositePolarity(a, b);
-        return (touch || areNear(a, b, nowUs)) && shareMotion(a, b, touch, nowUs);
+        if (touch || areNear(a, b, nowUs)) {
+            return shareMotion(a, b, touch, nowUs);
+        }
+        areEdges = false;
+        return haveGoneTogether(a, b, nowUs);
     }
 
     /** Whether the one gets mostly ON events and the other mostly OFF events. */
@@ -66,6 +75,28 @@ final class Merging {
         double gap = (areEdges ? BODY_SHARE : GAP_SHARE) * Math.min(a.contour().extent(), b.contour().extent());
         return a.travelPx(nowUs) >= travelPx && b.travelPx(nowUs) >= travelPx
             && a.contour().isWithin(gap, b.contour(), nowUs);
+    }
+
+    /**
+     * Whether planes that lie far apart have shared their motion for as many px of travel as there are between them,
+     * or less where it changed: the shapes of a poster do before a camera that moves, but what moves alike for a moment
+     * does not.
+     */
+    private boolean haveGoneTogether(TrackPlane a, TrackPlane b, long nowUs) {
+        TrackPlane younger = a.id() > b.id() ? a : b;
+        int older = younger == a ? b.id() : a.id();
+        Companion companion = younger.companion();
+        if (a.travelPx(nowUs) < TRAVEL_PX || b.travelPx(nowUs) < TRAVEL_PX || !companion.mayBe(older, nowUs)) {
+            return false;
+        }
+        boolean isAlike = shareMotion(a, b, false, nowUs);
+        companion.note(older, isAlike, Math.min(telling(a), telling(b)), nowUs);
+        return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs);
+    }
+
+    /** How much a motion tells a second of what else moves like it, in px. */
+    private static double telling(TrackPlane plane) {
+        return plane.speed() + CHANGE_S * Math.hypot(plane.motion().ax, plane.motion().ay);
     }
 
     /**

@@ -56,7 +56,6 @@ final class Parting {
     private final OwnVelocity own = new OwnVelocity();
     private final TwoBodies two;
     private boolean areTwo;
-    private boolean isClearlyOne;
     /** Motions of the part that was found last, and of what is left without it. */
     private final Motion motionOfPart = new Motion();
     private final Motion rest = new Motion();
@@ -101,24 +100,22 @@ final class Parting {
     }
 
     /**
-     * Looks for the part that is a body of its own most clearly.
+     * Looks for the part, lying apart from the others, that is a body of its own most clearly.
      *
      * @param live the events of the structure, of all tiles
      * @param motion of the structure
      * @param radius of the structure in px
-     * @param mayBeTwo whether rotation and growth are looked at for two bodies, too
      * @return whether there is one
      */
-    boolean find(LiveEvents live, Motion motion, double radius, boolean mayBeTwo, MetricFit fit) {
+    boolean findApart(LiveEvents live, Motion motion, double radius, MetricFit fit) {
         found = NONE;
         areTwo = false;
-        isClearlyOne = false;
         long windowUs = live.newestUs() - live.oldestUs();
         if (windowUs <= 0) {
             return false;
         }
         along.copyFrom(motion);
-        along.moveReference(live.oldestUs() + windowUs / 2);
+        along.moveReference(live.middleUs());
         layOnCells(live, radius);
         int count = connect();
         int largest = 1;
@@ -137,20 +134,28 @@ final class Parting {
             }
         }
         rest.copyFrom(motion);
-        if (found == NONE && mayBeTwo) {
-            areTwo = two.find(live, motion, radius, fit);
-            isClearlyOne = two.isClearlyOne();
-        }
+        return found != NONE;
+    }
+
+    /**
+     * Looks for two bodies that seem to turn or grow together, of which the one with fewer events is the part.
+     *
+     * @param ofOne motion of the structure as it is if it is one body
+     * @return whether there are two
+     */
+    boolean findTwo(LiveEvents live, Motion ofOne, double radius, MetricFit fit) {
+        found = NONE;
+        areTwo = live.newestUs() > live.oldestUs() && two.find(live, ofOne, radius, fit);
         if (areTwo) {
             motionOfPart.copyFrom(two.smaller());
             rest.copyFrom(two.larger());
         }
-        return areTwo || found != NONE;
+        return areTwo;
     }
 
-    /** Whether the structure that was looked at last was asked whether it is two, and is clearly one. */
+    /** Whether the structure of which it was asked last whether it is two clearly turned or grew as one. */
     boolean isClearlyOne() {
-        return isClearlyOne;
+        return two.isClearlyOne();
     }
 
     private void begin(LiveEvents live, double radius) {

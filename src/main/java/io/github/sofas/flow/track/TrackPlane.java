@@ -31,10 +31,6 @@ public final class TrackPlane {
      * takes to turn back.
      */
     private static final int ADRIFT_PART = 2;
-    /** Travel in px after which it is asked again whether a part is a body of its own. */
-    private static final double PARTING_PX = 4;
-    /** Of those times, the most to the next one at which it is asked whether it is two that seem to turn. */
-    private static final int MOST_TO_TWO = 8;
     /** Standard deviations of the metric that a shift of both ends of the window by a pixel loses where it is known. */
     private static final double KNOWN_SIGMAS = 1;
     /** Part of the lifetime for which the contour holds events at least. */
@@ -56,9 +52,13 @@ public final class TrackPlane {
     private final ContourMemory memory;
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
+    /** The motion as it is if the structure is one body. */
+    private final Motion ofOne = new Motion();
     private final Turn turn = new Turn();
     private final Recentring recentring;
     private final MeasuredMotion measured;
+    private final PartingSchedule schedule = new PartingSchedule();
+    private final Companion companion = new Companion();
 
     private int served;
     private long firstUs;
@@ -71,11 +71,6 @@ public final class TrackPlane {
 
     /** How many noise events a pixel gave of either polarity last, per µs. */
     private double noisePerUs;
-    /** When it was looked for a part last. */
-    private long partingUs;
-    /** Times until two bodies are looked for, and from one such time to the next. */
-    private int untilTwo;
-    private int betweenTwo;
 
     TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
         this.sensor = sensor;
@@ -111,8 +106,8 @@ public final class TrackPlane {
         memory.start(motion);
         recentring.start(nowUs);
         recentring.followLifetime(motion, contour.radius());
-        partingUs = nowUs;
-        askSoonForTwo();
+        schedule.start(nowUs);
+        companion.start();
     }
 
     /** Gives it its number, under which its motion is told from then on. */
@@ -138,6 +133,11 @@ public final class TrackPlane {
     /** How its motion was measured, and what is known of it. */
     Measurement measurement() {
         return recentring.measurement();
+    }
+
+    /** An older structure that it may be one with, though they lie apart. */
+    Companion companion() {
+        return companion;
     }
 
     /** Where its events fell of late. */
@@ -316,7 +316,7 @@ public final class TrackPlane {
         turn.take(motion, nowUs);
         contour.expectEither(turn.isNear(lifetimeUs()));
         contour.fade(nowUs, contourUs());
-        recentring.followDensity(motion, contour.radius(), nowUs);
+        recentring.followDensity();
         if (!recentring.isStarved()) {
             state = State.TRACKED;
         } else if (state == State.TRACKED) {
@@ -348,7 +348,7 @@ public final class TrackPlane {
         }
         before.copyFrom(motion);
         before.moveReference(nowUs);
-        if (recentring.measure(motion, before, contour.radius(), fit, nowUs)) {
+        if (recentring.measure(motion, contour.radius(), fit, nowUs)) {
             measured.take(motion);
         }
         carryOn(nowUs);
@@ -397,7 +397,7 @@ public final class TrackPlane {
         motion.copyFrom(common);
         LiveEvents used = recentring.merge(other.recentring, spare);
         if (areEdges) {
-            measurement().takeForOneBody();
+            measurement().believeTurning();
         }
         events += other.events;
         motion.moveReference(nowUs);
@@ -420,35 +420,42 @@ public final class TrackPlane {
     /** Takes the density of now for the usual one; its motion is measured with the next event, once for all changes. */
     private void becomeAnother() {
         recentring.becomeAnother();
-        askSoonForTwo();
-    }
-
-    /** Looks for two bodies the next time that it looks for a part. */
-    private void askSoonForTwo() {
-        betweenTwo = 1;
-        untilTwo = 1;
+        schedule.askSoonForTwo();
     }
 
     /**
-     * Looks every few px of travel whether a part of the structure is a body of its own. Of a dense structure only some
-     * tiles are known, by which nothing lies apart. What clearly turned as one body, or grew, is asked half as often
-     * from then on whether it is two: the answer stays the same, and takes as long as several measurements.
+     * Looks every few px of travel whether a part of the structure is a body of its own, and notes if it is clearly one
+     * body. Of a dense structure only some tiles are known, by which nothing lies apart, and nothing is given up.
      *
-     * @return whether there is one, which is to be given up to another plane
+     * @return whether there is a part, which is to be given up to another plane
      */
     boolean findPart(Parting parting, MetricFit fit, long nowUs) {
-        if (state != State.TRACKED || recentring.live().thinning() > 1
-            || (nowUs - partingUs) * 1e-6 * speed() < PARTING_PX) {
+        LiveEvents live = recentring.live();
+        if (state != State.TRACKED || !schedule.isDue(speed(), nowUs)) {
             return false;
         }
-        partingUs = nowUs;
-        boolean mayBeTwo = --untilTwo <= 0 && measurement().isPredictive() && measurement().isSharp();
-        boolean isFound = parting.find(recentring.live(), motion, contour.radius(), mayBeTwo, fit);
-        if (mayBeTwo) {
-            betweenTwo = parting.isClearlyOne() ? Math.min(MOST_TO_TWO, 2 * betweenTwo) : 1;
-            untilTwo = betweenTwo;
+        boolean hasAllTiles = live.thinning() == 1;
+        boolean mayBeTwo = schedule.begin(nowUs) && measurement().isPredictive() && measurement().isSharp();
+        if (hasAllTiles && parting.findApart(live, motion, contour.radius(), fit)) {
+            if (mayBeTwo) {
+                schedule.note(false);
+            }
+            return true;
         }
-        return isFound;
+        return mayBeTwo && areTwo(parting, fit) && hasAllTiles;
+    }
+
+    /** Whether it is two bodies that seem to turn or grow together; notes if it is clearly one. */
+    private boolean areTwo(Parting parting, MetricFit fit) {
+        ofOne.copyFrom(motion);
+        ofOne.moveReference(recentring.live().middleUs());
+        measurement().applyOfAll(ofOne);
+        boolean areTwo = parting.findTwo(recentring.live(), ofOne, contour.radius(), fit);
+        if (parting.isClearlyOne()) {
+            measurement().believeAll();
+        }
+        schedule.note(parting.isClearlyOne());
+        return areTwo;
     }
 
     /** Gives the part that was found up to another plane, whose motion is measured from its events. */

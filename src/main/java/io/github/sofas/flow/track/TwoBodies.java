@@ -13,6 +13,7 @@ import java.util.Arrays;
  *
  * <p>Ours, because some rotation and growth explain any two velocities side by side, and each measurement confirms
  * them, as long as the two bodies touch. A body that does turn loses by two velocities: each is right on one line only.
+ * So what loses much is one body for certain, though none of its parts shows that it turns, as the shapes of a poster.
  */
 final class TwoBodies {
     /** Side of a tile in px, as a power of two. */
@@ -25,6 +26,8 @@ final class TwoBodies {
     private static final int LEAST_EVENTS = 60;
     /** Standard deviations that the metric must gain by two velocities. */
     private static final double SHOWN_SIGMAS = 7;
+    /** The same that it must lose by them for the structure to be clearly one. */
+    private static final double ONE_SIGMAS = 4;
     /** By what they shift the ends of the window apart, in px, at least, and at most: farther off are false tops. */
     private static final double LEAST_APART_PX = 0.5;
     private static final double MOST_APART_PX = 6;
@@ -116,7 +119,7 @@ final class TwoBodies {
         return isOfSmaller[i];
     }
 
-    /** Whether what was looked at last turned or grew, and two velocities were worse. */
+    /** Whether what was looked at last turned or grew, and two velocities were clearly worse. */
     boolean isClearlyOne() {
         return isClearlyOne;
     }
@@ -134,8 +137,8 @@ final class TwoBodies {
     /**
      * Looks for two bodies.
      *
-     * @param live the events of the structure, of all tiles, not all of one time
-     * @param motion of the structure
+     * @param live the events of the structure, or those on some tiles, not all of one time
+     * @param motion of the structure as it is if it is one body
      * @param reach radius of the structure in px
      * @return whether there are two; not of more events than can be measured at once
      */
@@ -147,7 +150,7 @@ final class TwoBodies {
         if (live.size() > Measurement.MOST_EVENTS || turnPx(2 * reach) < LEAST_TURN_PX) {
             return false;
         }
-        along.moveReference(live.oldestUs() + windowUs / 2);
+        along.moveReference(live.middleUs());
         list(live);
         lay(live, along, reach);
         findMiddle();
@@ -155,7 +158,8 @@ final class TwoBodies {
             return false;
         }
         sortByTile();
-        double most = SHOWN_SIGMAS * MetricFit.sd(meet(0, 0, met));
+        double sd = MetricFit.sd(meet(0, 0, met));
+        double most = SHOWN_SIGMAS * sd;
         steady.copyFrom(along);
         steady.moveCentre(middleX, middleY);
         steady.omega = 0;
@@ -168,7 +172,7 @@ final class TwoBodies {
         for (int line = 0; line < LINES; line++) {
             divide(Math.PI * line / LINES);
             double gained = part(fit, most / 2);
-            isClearlyOne &= gained < 0;
+            isClearlyOne &= gained < -ONE_SIGMAS * sd;
             if (gained > most && areTwo()) {
                 most = gained;
                 found = true;

@@ -129,14 +129,18 @@ public class MotionChangeTest {
         assertEquals(0, motion.alpha, 0);
     }
 
-    @Test
-    public void twoBodiesThatComeApartDoNotGrow() {
-        // 15 px left and right of the middle at 7.5 px/s outwards, as a growth of 0.5 would have it
+    /** Measures two bodies, 15 px left and right of the middle, at 7.5 px/s outwards, as a growth of 0.5 has it. */
+    private Motion measuredOfTwoThatComeApart() {
         Motion left = steady();
         left.vx -= 7.5;
         Motion right = steady();
         right.vx += 7.5;
-        Motion motion = measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+        return measured(new Motion[] {left, right}, new double[] {35, 65}, 5, DEFAULTS);
+    }
+
+    @Test
+    public void twoBodiesThatComeApartDoNotGrow() {
+        Motion motion = measuredOfTwoThatComeApart();
         assertEquals(0, motion.growth, 0.1);
         assertEquals(0, motion.omega, 0.1);
     }
@@ -159,10 +163,34 @@ public class MotionChangeTest {
 
     @Test
     public void whatIsKnownToBeOneBodyTurnsThoughNoPartOfItShowsThat() {
-        change.takeForOneBody();
+        change.believeTurning();
         assertEquals(0.5, measuredOfTwoThatPassEachOther().omega, 0.05);
         change.doubtBody();
         assertEquals(0, measuredOfTwoThatPassEachOther().omega, 0.1);
+    }
+
+    @Test
+    public void whatIsOfOneBodyIsKnownWhetherItIsBelievedOrNot() {
+        Motion motion = measuredOfTwoThatPassEachOther();
+        assertEquals(0, motion.omega, 0.1);
+        change.applyOfAll(motion);
+        // from where it is not believed, the top is told by a parabola far beside it
+        assertEquals(0.5, motion.omega, 0.25);
+        change.restart();
+        change.applyOfAll(motion);
+        assertEquals(0, motion.omega, 0);
+        assertEquals(0, motion.growth, 0);
+    }
+
+    @Test
+    public void whatIsClearlyOneBodyGrowsToo() {
+        change.believeTurning();
+        assertEquals(0, measuredOfTwoThatComeApart().growth, 0.1);
+        change.believeAll();
+        assertEquals(0.5, measuredOfTwoThatComeApart().growth, 0.05);
+        assertEquals(0.5, measuredOfTwoThatPassEachOther().omega, 0.05);
+        change.doubtBody();
+        assertEquals(0, measuredOfTwoThatComeApart().growth, 0.1);
     }
 
     @Test

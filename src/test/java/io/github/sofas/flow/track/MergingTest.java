@@ -112,6 +112,49 @@ public class MergingTest {
         assertEquals(List.of(1, 2), edges.ids());
     }
 
+    /** Travel in px, each 0.5 px of which it is asked, after which planes are one; 0 where not in 100 px. */
+    private double oneAfterPx(Merging merging, TrackPlane a, TrackPlane b) {
+        for (int k = 1; k <= 200; k++) {
+            if (merging.areOne(a, b, edges.nowUs + 5_000 * k)) {
+                return 0.5 * k;
+            }
+        }
+        return 0;
+    }
+
+    @Test
+    public void planesFarFromEachOtherAreOneOnceTheyHaveGoneAsFarTogether() {
+        TrackPlane a = edges.begin(40, 30, 100, 1);
+        TrackPlane b = edges.begin(80, 30, 100, 1);
+        // counted once they have travelled 8 px
+        assertEquals(8 + 40, oneAfterPx(new Merging(), a, b), 1.5);
+    }
+
+    @Test
+    public void planesWhoseMotionChangesAlikeAreOneSooner() {
+        TrackPlane a = edges.begin(40, 30, 100, 1);
+        TrackPlane b = edges.begin(80, 30, 100, 1);
+        a.motion().ay = 500;
+        b.motion().ay = 500;
+        // each px of travel counts as another one, which 500 px/s2 gain in 0.2 s at 100 px/s
+        assertEquals(8 + 40 / 2, oneAfterPx(new Merging(), a, b), 1.5);
+    }
+
+    @Test
+    public void planesFarFromEachOtherAreOneLaterWhereOneMovesOtherwiseForAWhile() {
+        TrackPlane a = edges.begin(40, 30, 100, 1);
+        TrackPlane b = edges.begin(80, 30, 100, 1);
+        Merging merging = new Merging();
+        for (int px = 1; px <= 16; px++) {
+            // the first 8 do not count, and of the others as many are otherwise as are alike
+            b.motion().vx = px % 2 == 0 ? 150 : 100;
+            edges.nowUs += 10_000;
+            assertFalse(merging.areOne(a, b, edges.nowUs));
+        }
+        b.motion().vx = 100;
+        assertEquals(40, oneAfterPx(merging, a, b), 2);
+    }
+
     /** Edges 30 px long whose boxes are 46 px apart go on for some columns; the ids that are left. */
     private List<Integer> idsAfter(IntUnaryOperator polarityOfRow, IntUnaryOperator otherPolarityOfRow, int columns) {
         edges.begin(30, 30, 100, 1, TrackedEdges.COLUMNS, polarityOfRow);

@@ -78,7 +78,7 @@ public class PartingTest {
         double omega = motion.omega;
         motion.set(END_US, VX, 0);
         motion.omega = omega;
-        return parting.find(live, motion, 20, true, fit);
+        return parting.findApart(live, motion, 20, fit) || parting.findTwo(live, motion, 20, fit);
     }
 
     private int ofPart(boolean below) {
@@ -155,12 +155,10 @@ public class PartingTest {
     }
 
     @Test
-    public void whatIsNotAskedWhetherItIsTwoIsNotClearlyOne() {
+    public void bodyThatTurnsIsClearlyOne() {
         turn(3);
         assertFalse(find(Claim.OWN));
         assertTrue(parting.isClearlyOne());
-        assertFalse(parting.find(live, motion, 30, false, fit));
-        assertFalse(parting.isClearlyOne());
     }
 
     @Test
