@@ -73,6 +73,11 @@ final class LiveEvents {
         return (tileHash & (1 << halvings) - 1) == 0;
     }
 
+    /** Whether an event, by its index, lies on a tile that is left when they are halved so many times. */
+    boolean isLeftBy(int times, int i) {
+        return isTaken(tile[i], halvings + times);
+    }
+
     /** Index into the arrays of the k-th event, 0 the oldest. */
     int index(int k) {
         return head - size + k & MASK;
@@ -137,7 +142,7 @@ final class LiveEvents {
         }
         int staying = 0;
         for (int k = 0; k < size; k++) {
-            staying += isTaken(tile[index(k)], halvings + 1) ? 1 : 0;
+            staying += isLeftBy(1, index(k)) ? 1 : 0;
         }
         if (halvings < MOST_HALVINGS && staying > size / LEAST_PART && staying < size - size / LEAST_PART) {
             halve();
@@ -188,6 +193,13 @@ final class LiveEvents {
     /** Lets the events before a time go. */
     void expire(long beforeUs) {
         while (size > 0 && oldestUs() < beforeUs) {
+            letOldestGo();
+        }
+    }
+
+    /** Lets all but so many of the newest go. */
+    void keepNewest(int most) {
+        while (size > most) {
             letOldestGo();
         }
     }

@@ -140,17 +140,22 @@ final class Parting {
     /**
      * Looks for two bodies that seem to turn or grow together, of which the one with fewer events is the part.
      *
-     * @param ofOne motion of the structure as it is if it is one body
+     * @param motion of the structure
      * @return whether there are two
      */
-    boolean findTwo(LiveEvents live, Motion ofOne, double radius, MetricFit fit) {
+    boolean findTwo(LiveEvents live, Motion motion, double radius, MetricFit fit) {
         found = NONE;
-        areTwo = live.newestUs() > live.oldestUs() && two.find(live, ofOne, radius, fit);
+        areTwo = live.newestUs() > live.oldestUs() && two.find(live, motion, radius, fit);
         if (areTwo) {
             motionOfPart.copyFrom(two.smaller());
             rest.copyFrom(two.larger());
         }
         return areTwo;
+    }
+
+    /** Whether the structure of which it was asked last whether it is two turned or grew enough to seem so. */
+    boolean turns() {
+        return two.turns();
     }
 
     /** Whether the structure of which it was asked last whether it is two clearly turned or grew as one. */

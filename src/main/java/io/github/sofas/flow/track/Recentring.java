@@ -16,12 +16,15 @@ final class Recentring {
     private static final long SHORTEST_US = 10;
     /** Longest lifetime: what stands still would keep its events for ever. */
     private static final long MAX_LIFETIME_US = 1_000_000;
+    /** Part of the events in which a velocity was looked for that must be new to look again. */
+    private static final int LOOK_PART = 4;
     /** Longest travel in px, and time, of a burst; longer ones would have edges that follow, and what sets off. */
     private static final double BURST_PX = 0.5;
     private static final long BURST_US = 1_500;
 
     private final Measurement measurement;
     private final EventDensity density = new EventDensity();
+    private final FreshVelocity fresh = new FreshVelocity();
     private final SpeedByEvents byEvents = new SpeedByEvents();
     private final Rest rest = new Rest();
     private SofasParameters.Track p;
@@ -32,6 +35,8 @@ final class Recentring {
     private int sinceMeasured;
     private long measuredUs;
     private long widenedUs;
+    /** When its velocity was looked for anew last. */
+    private long lookedUs;
 
     Recentring(SofasParameters.Track p) {
         this.p = p;
@@ -47,6 +52,7 @@ final class Recentring {
         sinceMeasured = 0;
         measuredUs = nowUs;
         widenedUs = nowUs;
+        lookedUs = nowUs;
     }
 
     /** Goes on with other parameters. */
@@ -148,9 +154,13 @@ final class Recentring {
         return density.isStarved(live, measurement.lifetimePx(), p.minShare());
     }
 
-    /** Takes what events there are for usual. */
-    void followDensity() {
+    /** Takes what events there are for usual, unless they rush: returns whether they do not. */
+    boolean followDensity(Motion along, double radius, long nowUs) {
+        if (density.isRushed(live, along, radius, nowUs)) {
+            return false;
+        }
         density.follow(live, measurement.lifetimePx());
+        return true;
     }
 
     /** Begins to measure; returns whether there are live events. */
@@ -164,10 +174,13 @@ final class Recentring {
     /**
      * Measures a motion over the live events, or holds it where they are too few.
      *
+     * @param before the motion as it was, with its reference at now
      * @return whether it was measured: then its reference is the middle of the window
      */
-    boolean measure(Motion motion, double radius, MetricFit fit, long nowUs) {
-        followDensity();
+    boolean measure(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
+        if (!followDensity(motion, radius, nowUs)) {
+            lookAnew(motion, before, radius, fit, nowUs);
+        }
         if (isStarved()) {
             // what is left is noise, or too little
             measurement.hold(motion);
@@ -180,6 +193,23 @@ final class Recentring {
         measurement.measure(motion, live, radius, fit, lifetimeUs, nowUs);
         measurement.judge(true, motion, live, radius, fit, nowUs);
         return true;
+    }
+
+    /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
+    private void lookAnew(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
+        int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
+        int newest = Math.min(live.size(), usual);
+        long fromUs = live.newestFromUs(newest);
+        if (nowUs - lookedUs < (nowUs - fromUs) / LOOK_PART) {
+            return;
+        }
+        lookedUs = nowUs;
+        if (fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, before, radius, fit)) {
+            live.keepNewest(newest);
+            motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
+            measurement.restart();
+            followLifetime(motion, radius);
+        }
     }
 
     /**

@@ -316,7 +316,7 @@ public final class TrackPlane {
         turn.take(motion, nowUs);
         contour.expectEither(turn.isNear(lifetimeUs()));
         contour.fade(nowUs, contourUs());
-        recentring.followDensity();
+        recentring.followDensity(motion, contour.radius(), nowUs);
         if (!recentring.isStarved()) {
             state = State.TRACKED;
         } else if (state == State.TRACKED) {
@@ -348,7 +348,7 @@ public final class TrackPlane {
         }
         before.copyFrom(motion);
         before.moveReference(nowUs);
-        if (recentring.measure(motion, contour.radius(), fit, nowUs)) {
+        if (recentring.measure(motion, before, contour.radius(), fit, nowUs)) {
             measured.take(motion);
         }
         carryOn(nowUs);
@@ -445,12 +445,18 @@ public final class TrackPlane {
         return mayBeTwo && areTwo(parting, fit) && hasAllTiles;
     }
 
-    /** Whether it is two bodies that seem to turn or grow together; notes if it is clearly one. */
+    /**
+     * Whether it is two bodies that seem to turn or grow together; notes if it is clearly one. What is not believed to
+     * turn is asked with rotation and growth as all of it shows them: it may be one, but is not given up for two.
+     */
     private boolean areTwo(Parting parting, MetricFit fit) {
-        ofOne.copyFrom(motion);
-        ofOne.moveReference(recentring.live().middleUs());
-        measurement().applyOfAll(ofOne);
-        boolean areTwo = parting.findTwo(recentring.live(), ofOne, contour.radius(), fit);
+        boolean areTwo = parting.findTwo(recentring.live(), motion, contour.radius(), fit);
+        if (!parting.turns()) {
+            ofOne.copyFrom(motion);
+            ofOne.moveReference(recentring.live().middleUs());
+            measurement().applyOfAll(ofOne);
+            parting.findTwo(recentring.live(), ofOne, contour.radius(), fit);
+        }
         if (parting.isClearlyOne()) {
             measurement().believeAll();
         }

@@ -84,6 +84,7 @@ final class TwoBodies {
     private final Motion steady = new Motion();
     private final SteppedProjection stepped = new SteppedProjection();
     private final OwnVelocity own = new OwnVelocity();
+    private boolean turns;
     private boolean isClearlyOne;
     // what was found last
     private final boolean[] isOfSmaller = new boolean[LiveEvents.CAPACITY];
@@ -119,6 +120,11 @@ final class TwoBodies {
         return isOfSmaller[i];
     }
 
+    /** Whether what was looked at last turned or grew enough for two velocities to look like that. */
+    boolean turns() {
+        return turns;
+    }
+
     /** Whether what was looked at last turned or grew, and two velocities were clearly worse. */
     boolean isClearlyOne() {
         return isClearlyOne;
@@ -138,11 +144,12 @@ final class TwoBodies {
      * Looks for two bodies.
      *
      * @param live the events of the structure, or those on some tiles, not all of one time
-     * @param motion of the structure as it is if it is one body
+     * @param motion of the structure
      * @param reach radius of the structure in px
      * @return whether there are two; not of more events than can be measured at once
      */
     boolean find(LiveEvents live, Motion motion, double reach, MetricFit fit) {
+        turns = false;
         isClearlyOne = false;
         long windowUs = live.newestUs() - live.oldestUs();
         half = windowUs * 0.5e-6;
@@ -168,6 +175,7 @@ final class TwoBodies {
         steady.growthChange = 0;
         lay(live, steady, reach);
         boolean found = false;
+        turns = true;
         isClearlyOne = true;
         for (int line = 0; line < LINES; line++) {
             divide(Math.PI * line / LINES);

@@ -153,6 +153,32 @@ public class LiveEventsTest {
     }
 
     @Test
+    public void newestAreKept() {
+        for (long timeUs : new long[] {10, 20, 30, 40}) {
+            live.add(0, 0, timeUs, 1, Claim.OWN, 0);
+        }
+        live.keepNewest(5);
+        assertEquals(4, live.size());
+        live.keepNewest(3);
+        assertEquals(3, live.size());
+        assertEquals(20, live.oldestUs());
+    }
+
+    @Test
+    public void tilesThatAreLeftByHalvingAreThoseThatWouldBeTaken() {
+        fill(live);
+        live.add(5, 5, 40_000, 1, Claim.OWN, 6);
+        // those of even tiles are taken: halved once more, those of every fourth
+        assertEquals(16_385, live.size());
+        int left = 0;
+        for (int k = 0; k < 16_384; k++) {
+            assertTrue(live.isLeftBy(0, live.index(k)));
+            left += live.isLeftBy(1, live.index(k)) ? 1 : 0;
+        }
+        assertEquals(8_192, left);
+    }
+
+    @Test
     public void middleIsThatBetweenTheOldestAndTheNewest() {
         for (long timeUs : new long[] {10, 20, 50}) {
             live.add(0, 0, timeUs, 1, Claim.OWN, 0);

@@ -102,6 +102,7 @@ public class TwoBodiesTest {
     public void bodyThatTurnsIsOne() {
         move(150, MIDDLE_X - SIDE / 2, 0, 2);
         assertFalse(find(2));
+        assertTrue(two.turns());
         assertTrue(two.isClearlyOne());
     }
 
@@ -118,6 +119,7 @@ public class TwoBodiesTest {
         move(90, MIDDLE_X - SIDE, -12, 0);
         move(60, MIDDLE_X, 12, 0);
         assertFalse(find(0));
+        assertFalse(two.turns());
         assertFalse(two.isClearlyOne());
     }
 
