@@ -1,6 +1,5 @@
 package io.github.sofas.simulate;
 
-import io.github.sofas.simulate.Trajectory.Fixed;
 import io.github.sofas.simulate.Trajectory.Journey;
 import io.github.sofas.simulate.Trajectory.Pace;
 import io.github.sofas.simulate.Trajectory.Sway;
@@ -27,7 +26,6 @@ final class RandomScene {
     private static final double TURNING_BACK_SHARE = 0.13;
     private static final double MOVING_BACKGROUND_SHARE = 0.3;
     private static final double TEXTURED_BACKGROUND_SHARE = 0.2;
-    private static final double POSTER_PITCH_PX = 55;
 
     private RandomScene() {
     }
@@ -53,28 +51,8 @@ final class RandomScene {
         return new World(objects, durationS);
     }
 
-    /**
-     * {@return plain shapes drawn by chance, of 6 to 18 px from middle to corner, in squares of 55 px}
-     *
-     * @param id which all of them have: they are one body
-     * @param poster that they are on
-     */
-    static List<MovingObject> poster(int id, SimulationOptions options, Trajectory poster) {
-        Random random = Scenes.random(options);
-        double pitch = POSTER_PITCH_PX * options.scale();
-        int across = (int) Math.sqrt(World.MAX_OBJECTS);
-        List<MovingObject> shapes = new ArrayList<>();
-        for (int square = 0; square < across * across; square++) {
-            double x = (square % across - (across - 1) / 2.0 + 0.4 * (random.nextDouble() - 0.5)) * pitch;
-            double y = (square / across - (across - 1) / 2.0 + 0.4 * (random.nextDouble() - 0.5)) * pitch;
-            Trajectory fixed = new Fixed(poster, x, y, 2 * Math.PI * random.nextDouble());
-            double radius = (6 + 12 * random.nextDouble()) * options.scale();
-            shapes.add(new MovingObject(id, shape(radius, random), fixed, Scenes.dark(options, contrast(random))));
-        }
-        return shapes;
-    }
-
-    private static double contrast(Random random) {
+    /** Logarithm of the background's light over an object's, drawn by chance: a third of the objects are brighter. */
+    static double contrast(Random random) {
         return (0.6 + 1.2 * random.nextDouble()) * (random.nextInt(3) == 0 ? -1 : 1);
     }
 
@@ -101,7 +79,8 @@ final class RandomScene {
         return new MovingObject(id, shape, trajectory, Scenes.dark(options, contrast), texture);
     }
 
-    private static Shape shape(double radius, Random random) {
+    /** An outline drawn by chance, of so many px from middle to corner. */
+    static Shape shape(double radius, Random random) {
         double aspect = 0.35 + 0.65 * random.nextDouble();
         switch (random.nextInt(4)) {
             case 0:

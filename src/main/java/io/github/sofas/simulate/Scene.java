@@ -60,7 +60,7 @@ public enum Scene {
             TexturedScenes::hand),
     /** The same before plain shapes. */
     POSTER("poster", "shapes on a poster sliding, turning and growing at once, each at a changing rate",
-            TexturedScenes::poster),
+            PosterScene::compose),
     /** Time to contact. */
     COMING_NEAR("coming-near", "a plain shape that comes near: its size grows from 0.45 to 1.6 in 2.8 s",
             TexturedScenes::comingNear),

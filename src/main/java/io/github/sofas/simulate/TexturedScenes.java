@@ -50,23 +50,27 @@ final class TexturedScenes {
     }
 
     static World hand(SimulationOptions options) {
-        double speed = Scenes.speed(options, 60);
-        double durationS = Scenes.duration(options, travelS(150 / speed));
-        return new World(List.of(wall(1, options, byHand(options, speed, 1, durationS))), durationS);
+        double durationS = byHandS(options);
+        return new World(List.of(wall(1, options, byHand(options, 1, durationS))), durationS);
     }
 
-    static World poster(SimulationOptions options) {
-        double speed = Scenes.speed(options, 60);
-        double durationS = Scenes.duration(options, travelS(150 / speed));
-        return new World(RandomScene.poster(1, options, byHand(options, speed, 0.25, durationS)), durationS);
+    /** How long what a camera sees that is held by hand is filmed, in s. */
+    static double byHandS(SimulationOptions options) {
+        return Scenes.duration(options, travelS(150 / byHandSpeed(options)));
+    }
+
+    private static double byHandSpeed(SimulationOptions options) {
+        return Scenes.speed(options, 60);
     }
 
     /**
      * How a wall moves before a camera that is held by hand.
      *
      * @param turning share of a turn of 1 rad and a growth of a third in 100 px
+     * @param durationS how long it is filmed, in s
      */
-    private static Trajectory byHand(SimulationOptions options, double speed, double turning, double durationS) {
+    static Trajectory byHand(SimulationOptions options, double turning, double durationS) {
+        double speed = byHandSpeed(options);
         Heading heading = new Heading(options);
         double midS = durationS / 2;
         return new Sway(Scenes.centreX(options) - midS * heading.x(speed, 0),
