@@ -7,6 +7,8 @@ package io.github.sofas.flow.fit;
 interface ChangeFit {
     /** Standard deviations of the metric that a change must be curved by to take a step to its top. */
     double CHANGE_SIGMAS = 0.5;
+    /** Distance of the projections that measure a change, at the end of the window, in px. */
+    double APART_PX = 1.5;
 
     /** Fits the acceleration along (dirX, dirY) with neighbours h px/s² apart. */
     Parabola acceleration(double dirX, double dirY, double h);

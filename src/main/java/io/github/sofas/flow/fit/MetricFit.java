@@ -1,5 +1,7 @@
 package io.github.sofas.flow.fit;
 
+import io.github.sofas.flow.motion.Motion;
+
 /**
  * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
  * projections around a velocity, a quadratic through the nine values, and one step to its top; after that each change
@@ -268,6 +270,18 @@ public final class MetricFit {
     /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */
     ChangeFit changes() {
         return bySlopes ? sloped : projected.around(here);
+    }
+
+    /**
+     * Takes a step towards the rotation and the growth by which the events meet most often.
+     *
+     * @param motion that the events were projected along
+     * @param perPx rotation and growth that shift the ends of the window by a pixel where the structure ends
+     */
+    public void stepTurnAndGrowth(Motion motion, double perPx) {
+        ChangeFit beside = projected.around(metric());
+        motion.omega += beside.rotation(perPx * ChangeFit.APART_PX).step();
+        motion.growth += beside.growth(perPx * ChangeFit.APART_PX).step();
     }
 
     /** Adds up how the picture of the events changes; the structure has so many px of radius. */

@@ -31,8 +31,6 @@ public final class MotionChange {
     private static final double LEAST_SPINNING = 0.1;
     /** Measurements to one that looks again how alike the parameters of the motion are. */
     private static final int STRUCTURE_EVERY = 4;
-    /** Distance of the projections that measure a change, at the end of the window. */
-    private static final double CHANGE_PX = 1.5;
     /** Share of a newly measured acceleration that is taken over: successive windows share most events. */
     private static final double CHANGE_GAIN = 0.5;
     /**
@@ -147,14 +145,14 @@ public final class MotionChange {
         double newOmega = 0;
         double newGrowth = 0;
         if (p.rotation()) {
-            Parabola fitted = fit.changes().rotation(perPx * CHANGE_PX);
+            Parabola fitted = fit.changes().rotation(perPx * ChangeFit.APART_PX);
             double omega = turned + fitted.step();
             turns = gained(fitted.loss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
             newOmega = believed(omega, perPx, turnNoisePx) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
-            Parabola fitted = fit.changes().growth(perPx * CHANGE_PX);
+            Parabola fitted = fit.changes().growth(perPx * ChangeFit.APART_PX);
             double growth = grown + fitted.step();
             growthSlope.measured(growth, motion.referenceUs, fitted.step() / perPx, half);
             grows = gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
@@ -179,7 +177,7 @@ public final class MotionChange {
             motion.alpha = 0;
         } else if (p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
-            double step = fit.changes().spin(perPxOfSpin * CHANGE_PX).step();
+            double step = fit.changes().spin(perPxOfSpin * ChangeFit.APART_PX).step();
             alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);
             motion.alpha = believed(alpha, perPxOfSpin, turnNoisePx) * turns * sureOfTurning;
         }
@@ -190,7 +188,7 @@ public final class MotionChange {
         double axisY = loss.axisY;
         double flatness = loss.flatness();
         double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
-        double h = perPx * CHANGE_PX;
+        double h = perPx * ChangeFit.APART_PX;
         Parabola fitted = fit.changes().acceleration(axisX, axisY, h);
         along = taken(along, motion.ax * axisX + motion.ay * axisY + fitted.step(), perPx,
             noisePx(BEND_NEWS_PX, EVENT_NEWS_PX, fit.size()));

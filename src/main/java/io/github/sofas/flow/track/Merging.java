@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.flow.fit.CommonMotion;
+import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
@@ -44,21 +45,32 @@ final class Merging {
     /** Mean polarity that an edge has at least: a whole body has edges of either polarity. */
     private static final double LEAST_POLARITY = 0.6;
 
+    /** By what two planes are one. */
+    enum Bond {
+        /** They move alike. */
+        MOTION,
+        /** They are the leading and the trailing edge of one body, across a gap. */
+        EDGES,
+        /** They turn or grow as one body, which none of its parts need show. */
+        BODY
+    }
+
     private final CommonMotion common = new CommonMotion();
-    /** Whether the two that were asked for last, if they are one, are its leading and its trailing edge. */
-    private boolean areEdges;
+    private final OneBody body = new OneBody();
+    /** By what the two are one that were asked for last, if they are. */
+    private Bond bond = Bond.MOTION;
 
     /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
-    boolean areOne(TrackPlane a, TrackPlane b, long nowUs) {
+    boolean areOne(TrackPlane a, TrackPlane b, MetricFit fit, long nowUs) {
         if (a.liveEvents() == 0 && b.liveEvents() == 0 || !a.measurement().isSharp() || !b.measurement().isSharp()) {
             return false;
         }
         boolean touch = a.contour().isWithin(GAP_PX, b.contour(), nowUs);
-        areEdges = !touch && areOfOppositePolarity(a, b);
+        bond = !touch && areOfOppositePolarity(a, b) ? Bond.EDGES : Bond.MOTION;
         if (touch || areNear(a, b, nowUs)) {
-            return shareMotion(a, b, touch, nowUs);
+            return shareMotion(a, b, touch, nowUs) || touch && areOneBody(a, b, fit, nowUs);
         }
-        areEdges = false;
+        bond = Bond.MOTION;
         return haveGoneTogether(a, b, nowUs);
     }
 
@@ -71,6 +83,7 @@ final class Merging {
 
     /** Whether planes that do not touch may merge by where they are, and by how far they have travelled. */
     private boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
+        boolean areEdges = bond == Bond.EDGES;
         double travelPx = areEdges ? EDGES_TRAVEL_PX : TRAVEL_PX;
         double gap = (areEdges ? BODY_SHARE : GAP_SHARE) * Math.min(a.contour().extent(), b.contour().extent());
         return a.travelPx(nowUs) >= travelPx && b.travelPx(nowUs) >= travelPx
@@ -94,6 +107,25 @@ final class Merging {
         return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs);
     }
 
+    /** Whether planes that touch and move otherwise are clearly parts of one body that turns or grows. */
+    private boolean areOneBody(TrackPlane a, TrackPlane b, MetricFit fit, long nowUs) {
+        TrackPlane younger = a.id() > b.id() ? a : b;
+        TrackPlane older = younger == a ? b : a;
+        OtherPart part = younger.otherPart();
+        if (Math.min(a.travelPx(nowUs), b.travelPx(nowUs)) < EDGES_TRAVEL_PX
+                || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
+            return false;
+        }
+        boolean areKnown = a.live().thinning() == 1 && b.live().thinning() == 1;
+        double gained = areKnown ? body.sigmasGained(older.live(), older.motion(), younger.live(), younger.motion(),
+            Math.max(a.contour().radius(), b.contour().radius()), fit) : OneBody.NOTHING;
+        if (!part.note(older.id(), gained, nowUs)) {
+            return false;
+        }
+        bond = Bond.BODY;
+        return true;
+    }
+
     /** How much a motion tells a second of what else moves like it, in px. */
     private static double telling(TrackPlane plane) {
         return plane.speed() + CHANGE_S * Math.hypot(plane.motion().ax, plane.motion().ay);
@@ -109,7 +141,7 @@ final class Merging {
     }
 
     private boolean shareMotionAt(long timeUs, TrackPlane a, TrackPlane b, boolean touch) {
-        if (areEdges) {
+        if (bond == Bond.EDGES) {
             return common.fitEdges(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs)
                 && common.lost() < MOST_LOST_APART;
         }
@@ -119,11 +151,11 @@ final class Merging {
 
     /** The motion that the two have in common which were asked for last and are one. */
     Motion motion() {
-        return common.motion();
+        return bond == Bond.BODY ? body.motion() : common.motion();
     }
 
-    /** Whether those two are the leading and the trailing edge of one body, across a gap. */
-    boolean areEdges() {
-        return areEdges;
+    /** By what those two are one. */
+    Bond bond() {
+        return bond;
     }
 }

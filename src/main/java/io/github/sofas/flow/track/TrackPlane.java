@@ -59,6 +59,7 @@ public final class TrackPlane {
     private final MeasuredMotion measured;
     private final PartingSchedule schedule = new PartingSchedule();
     private final Companion companion = new Companion();
+    private final OtherPart otherPart = new OtherPart();
 
     private int served;
     private long firstUs;
@@ -108,6 +109,7 @@ public final class TrackPlane {
         recentring.followLifetime(motion, contour.radius());
         schedule.start(nowUs);
         companion.start();
+        otherPart.start(nowUs);
     }
 
     /** Gives it its number, under which its motion is told from then on. */
@@ -138,6 +140,16 @@ public final class TrackPlane {
     /** An older structure that it may be one with, though they lie apart. */
     Companion companion() {
         return companion;
+    }
+
+    /** The older structure that may be a part of the same body. */
+    OtherPart otherPart() {
+        return otherPart;
+    }
+
+    /** The events that its motion is measured from. */
+    LiveEvents live() {
+        return recentring.live();
     }
 
     /** Where its events fell of late. */
@@ -389,15 +401,17 @@ public final class TrackPlane {
      * Takes over the events of another plane; the motion of all is measured with the next event.
      *
      * @param common the motion that serves both
-     * @param areEdges whether the two are edges of one body
+     * @param bond by what the two are one
      * @param spare a ring to put them in
      * @return the ring that this plane used until now
      */
-    LiveEvents merge(TrackPlane other, Motion common, boolean areEdges, LiveEvents spare, long nowUs) {
+    LiveEvents merge(TrackPlane other, Motion common, Merging.Bond bond, LiveEvents spare, long nowUs) {
         motion.copyFrom(common);
         LiveEvents used = recentring.merge(other.recentring, spare);
-        if (areEdges) {
+        if (bond == Merging.Bond.EDGES) {
             measurement().believeTurning();
+        } else if (bond == Merging.Bond.BODY) {
+            measurement().believeAll();
         }
         events += other.events;
         motion.moveReference(nowUs);

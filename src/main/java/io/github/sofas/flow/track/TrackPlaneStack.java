@@ -189,7 +189,7 @@ public final class TrackPlaneStack {
         }
         for (int i = 0; i < size; i++) {
             for (int j = size - 1; j > i; j--) {
-                if (merging.areOne(planes[i], planes[j], nowUs)) {
+                if (merging.areOne(planes[i], planes[j], fit, nowUs)) {
                     merge(i, j, nowUs);
                 }
             }
@@ -218,7 +218,7 @@ public final class TrackPlaneStack {
             planes[j] = planes[i];
             planes[i] = older;
         }
-        spare = planes[i].merge(planes[j], merging.motion(), merging.areEdges(), spare, nowUs);
+        spare = planes[i].merge(planes[j], merging.motion(), merging.bond(), spare, nowUs);
         end(j, Segment.Fate.MERGED, planes[i].id());
     }
 

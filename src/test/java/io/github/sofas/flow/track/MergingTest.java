@@ -58,12 +58,12 @@ public class MergingTest {
         TrackPlane steady = edges.begin(60, 10, 100, 1);
         TrackPlane changing = edges.begin(60, 42, 100, 1);
         Merging merging = new Merging();
-        assertTrue(merging.areOne(steady, changing, edges.nowUs));
+        assertTrue(merging.areOne(steady, changing, edges.fit, edges.nowUs));
         // as fast now, but 62.5 px/s in the middle of its 50 ms
         changing.motion().ax = 1500;
-        assertFalse(merging.areOne(steady, changing, edges.nowUs));
+        assertFalse(merging.areOne(steady, changing, edges.fit, edges.nowUs));
         steady.motion().ax = 1500;
-        assertTrue("both change alike", merging.areOne(steady, changing, edges.nowUs));
+        assertTrue("both change alike", merging.areOne(steady, changing, edges.fit, edges.nowUs));
     }
 
     @Test
@@ -115,7 +115,7 @@ public class MergingTest {
     /** Travel in px, each 0.5 px of which it is asked, after which planes are one; 0 where not in 100 px. */
     private double oneAfterPx(Merging merging, TrackPlane a, TrackPlane b) {
         for (int k = 1; k <= 200; k++) {
-            if (merging.areOne(a, b, edges.nowUs + 5_000 * k)) {
+            if (merging.areOne(a, b, edges.fit, edges.nowUs + 5_000 * k)) {
                 return 0.5 * k;
             }
         }
@@ -149,7 +149,7 @@ public class MergingTest {
             // the first 8 do not count, and of the others as many are otherwise as are alike
             b.motion().vx = px % 2 == 0 ? 150 : 100;
             edges.nowUs += 10_000;
-            assertFalse(merging.areOne(a, b, edges.nowUs));
+            assertFalse(merging.areOne(a, b, edges.fit, edges.nowUs));
         }
         b.motion().vx = 100;
         assertEquals(40, oneAfterPx(merging, a, b), 2);

@@ -1,0 +1,46 @@
+package io.github.sofas.flow.track;
+
+/**
+ * The older structure that may be a part of the same body, and how clearly it is: one at a time, which is asked each
+ * few px of travel. One that was asked in vain lets others go first.
+ */
+final class OtherPart {
+    private static final double EVERY_PX = 4;
+    /** The same of one that lets others go first. */
+    private static final double LATER_PX = 6;
+    /** Standard deviations that one motion must gain each time to be the more likely: noise gains and loses as much. */
+    private static final double NOISE_SIGMAS = 0.5;
+    /** Sum of what it gains beyond that, from which on the two are one body. */
+    private static final double SURE_SIGMAS = 2;
+    private static final int NONE = 0;
+
+    private int id = NONE;
+    private double sigmas;
+    private long askedUs;
+
+    /** Begins alone. */
+    void start(long nowUs) {
+        id = NONE;
+        sigmas = 0;
+        askedUs = nowUs;
+    }
+
+    /**
+     * Whether a structure is due to be asked.
+     *
+     * @param speed of the faster of the two, in px/s
+     */
+    boolean isDue(int other, double speed, long nowUs) {
+        boolean goesFirst = sigmas > 0 ? id == other : id != other;
+        return (nowUs - askedUs) * 1e-6 * speed >= (goesFirst ? EVERY_PX : LATER_PX);
+    }
+
+    /** Notes what a structure gained by one motion, in standard deviations; returns whether the two are one body. */
+    boolean note(int other, double gained, long nowUs) {
+        double before = id == other ? sigmas : 0;
+        id = other;
+        sigmas = Math.max(0, before + gained - NOISE_SIGMAS);
+        askedUs = nowUs;
+        return sigmas > SURE_SIGMAS;
+    }
+}
