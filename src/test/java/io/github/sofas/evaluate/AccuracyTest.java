@@ -179,7 +179,7 @@ public class AccuracyTest {
 
     @Test
     public void edgesThatAreAllButParallelAreNotTakenForOneThatSlidesAlongThem() {
-        assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(67), 10.61, 0.38, 12.50, 25.27);
+        assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(67), 8.68, 0.84, 13.40, 16.84);
         assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(307), 7.48, 0.46, 12.31, 26.40);
     }
 

@@ -69,6 +69,7 @@ final class BilinearAccumulator {
     private final int[] f;
     private final DenseVotes dense = new DenseVotes();
     private final TimedVotes timed;
+    private final InSight inSight;
     /** For votes of every other event. */
     private final int[] others;
     // box of the events
@@ -102,6 +103,7 @@ final class BilinearAccumulator {
         f = new int[width * height];
         others = new int[width * height];
         timed = new TimedVotes(width * height);
+        inSight = new InSight(sensorWidth, sensorHeight, width, height);
     }
 
     private static int side(int sensorSide, double cellPx) {
@@ -111,7 +113,7 @@ final class BilinearAccumulator {
     /** Bytes of the grids. */
     static long bytes(int sensorWidth, int sensorHeight, double cellPx) {
         long cells = (long) side(sensorWidth, cellPx) * side(sensorHeight, cellPx);
-        return 2L * Integer.BYTES * cells + DenseVotes.BYTES + TimedVotes.bytes(cells);
+        return 3L * Integer.BYTES * cells + DenseVotes.BYTES + TimedVotes.bytes(cells);
     }
 
     /** The most events that fit. */
@@ -131,6 +133,12 @@ final class BilinearAccumulator {
     /** Forgets all events. */
     void clear() {
         size = 0;
+        inSight.clear();
+    }
+
+    /** Which cells are in sight for how long; of everything all the time, until it is told. */
+    InSight inSight() {
+        return inSight;
     }
 
     /** Adds an event at a place in px. */
@@ -187,11 +195,21 @@ final class BilinearAccumulator {
      * of few events the mean over two grids.
      */
     double metric(ShiftProfile alongX, double sx, ShiftProfile alongY, double sy) {
+        return metric(alongX, sx, alongY, sy, 0, 0);
+    }
+
+    /** The same where that is velocity (vx, vy) in px/s beside that of the events: at which they come into sight. */
+    double metric(ShiftProfile alongX, double sx, ShiftProfile alongY, double sy, double vx, double vy) {
         int partsX = parts(alongX, sx);
         int partsY = parts(alongY, sy);
         layWith(border(alongX, partsX), border(alongY, partsY));
-        double one = metric(alongX.shift, partsX, alongY.shift, partsY, 0);
-        return size > mostOnBoth ? one : (one + metric(alongX.shift, partsX, alongY.shift, partsY, SUB / 2)) / 2;
+        locate(alongX.shift, partsX, alongY.shift, partsY, 0);
+        double one = metric(0, vx, vy);
+        if (size > mostOnBoth) {
+            return one;
+        }
+        locate(alongX.shift, partsX, alongY.shift, partsY, SUB / 2);
+        return (one + metric(SUB / 2, vx, vy)) / 2;
     }
 
     private int parts(ShiftProfile along, double s) {
@@ -199,11 +217,17 @@ final class BilinearAccumulator {
         return (int) Math.rint(Math.max(-MOST_PARTS, Math.min(MOST_PARTS, parts)));
     }
 
-    /** The metric on a grid shifted by some parts of a cell. */
-    private double metric(int[] alongX, int partsX, int[] alongY, int partsY, int offset) {
-        locate(alongX, partsX, alongY, partsY, offset);
-        boolean isDense = columns * rows <= Math.min(DenseVotes.MOST_CELLS, DENSE_CELLS * size);
-        long met = isDense ? dense.vote(at, size, columns, rows) : vote();
+    /** The metric of located events on a grid shifted by some parts of a cell. */
+    private double metric(int offset, double vx, double vy) {
+        long met;
+        if (inSight.isCutOff()) {
+            inSight.weigh(columns, rows, (originX - offset) / scale, (originY - offset) / scale, SUB / scale, vx, vy);
+            Arrays.fill(f, 0, columns * rows, 0);
+            met = inSight.vote(at, size, f, columns);
+        } else {
+            boolean isDense = columns * rows <= Math.min(DenseVotes.MOST_CELLS, DENSE_CELLS * size);
+            met = isDense ? dense.vote(at, size, columns, rows) : vote();
+        }
         return met * (2.0 / (SUB * SUB * SUB * SUB));
     }
 

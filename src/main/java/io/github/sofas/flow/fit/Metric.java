@@ -70,6 +70,16 @@ final class Metric {
         grid.clear();
     }
 
+    /** Takes the border to cut the events off, which move at (vx, vy) px/s in a window of twice so long. */
+    void cutOff(double vx, double vy, double half) {
+        grid.inSight().cutOff(vx, vy, half);
+    }
+
+    /** Whether the border cuts the events off. */
+    boolean isCutOff() {
+        return grid.inSight().isCutOff();
+    }
+
     void add(float x, float y, float tauS, float rx, float ry, int polarity) {
         int i = grid.size();
         grid.add(x, y, polarity);
@@ -99,7 +109,7 @@ final class Metric {
 
     /** Of the events moved back by velocity (vx, vy) in px/s. */
     double atVelocity(double vx, double vy) {
-        return grid.metric(time, vx, time, vy);
+        return grid.metric(time, vx, time, vy, vx, vy);
     }
 
     /** How it changes with each parameter of the motion; of no events not at all. */
@@ -110,6 +120,14 @@ final class Metric {
         }
         lay();
         grid.slopes(time, grid.x(0) - fromX[0], grid.y(0) - fromY[0], to);
+    }
+
+    /** Of the events moved back by velocity (vx, vy) in px/s, whatever the border cuts off. */
+    double asSeen(double vx, double vy) {
+        grid.inSight().pause(true);
+        double metric = atVelocity(vx, vy);
+        grid.inSight().pause(false);
+        return metric;
     }
 
     /** At accelerations of h px/s² less and more along (dirX, dirY). */

@@ -33,6 +33,11 @@ public final class MetricFit {
     /** The middle one of the nine projections. */
     private static final int CENTRE = 4;
 
+    /** Distance from the border of the sensor within which it may hide a part of an edge. */
+    private static final int BORDER_PX = 2;
+
+    private final int width;
+    private final int height;
     private final Metric metric;
     private final ProjectionFrame frame = new ProjectionFrame();
     private final double[] m = new double[9];
@@ -54,6 +59,8 @@ public final class MetricFit {
 
     /** Makes a fit for up to a number of events, of which so many vote on two grids. */
     public MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
+        width = sensorWidth;
+        height = sensorHeight;
         metric = new Metric(sensorWidth, sensorHeight, cellPx, capacity, mostOnBoth);
         projected = new ProjectedChange(metric);
     }
@@ -97,6 +104,23 @@ public final class MetricFit {
         known = false;
     }
 
+    /** Whether an event is so near the border of the sensor that this may hide where it comes from or goes to. */
+    public boolean isAtBorder(int x, int y) {
+        return Math.min(x, y) < BORDER_PX || x >= width - BORDER_PX || y >= height - BORDER_PX;
+    }
+
+    /**
+     * Says that the border cuts off the events, until they are forgotten: what is in sight for a part of the window
+     * only counts by so much more.
+     *
+     * @param vx velocity that the events were projected along, in px/s, and vy
+     * @param half half the window in s
+     */
+    public void cutOff(double vx, double vy, double half) {
+        metric.cutOff(vx, vy, half);
+        known = false;
+    }
+
     /** Whether the events meet more often as they were projected than moved back by velocity (vx, vy). */
     public boolean isSharperAtRest(double vx, double vy) {
         double moved = metric(vx, vy);
@@ -121,6 +145,11 @@ public final class MetricFit {
             knownVy = vy;
         }
         return here;
+    }
+
+    /** The same of the events as they are, whatever the border cuts off: chance that counts for more shows nothing. */
+    public double metricAsSeen(double vx, double vy) {
+        return metric.isCutOff() ? metric.asSeen(vx, vy) : metric(vx, vy);
     }
 
     /** Sets an upright frame of projections with equal distances in px/s. */
@@ -232,13 +261,17 @@ public final class MetricFit {
 
     /**
      * Fits the velocity around the motion itself by the slopes of the metric, and along an axis on which it is broad by
-     * the two neighbours; the frame is then taken to lie along the axes of what is known.
+     * the two neighbours; the frame is then taken to lie along the axes of what is known. Of events that the border
+     * cuts off, slopes do not tell how long they are in sight: as {@link #fitCross}.
      *
      * @param px velocity in px/s that shifts both ends of the window by one pixel
      * @param sigmas as for {@link #fit}
      * @return the top, until the next fit of a velocity
      */
     public VelocityTop fitSlopes(double px, double sigmas) {
+        if (metric.isCutOff()) {
+            return fitCross(0, 0, sigmas);
+        }
         metric.slopes(slopes);
         bySlopes = true;
         greatest = Math.max(0, slopes.metric);

@@ -44,6 +44,8 @@ final class PieceRefinement {
     private SofasParameters.Search p;
     private Stage stage = Stage.OVER;
     private boolean structure;
+    /** Whether the border may cut off a part of the piece. */
+    private boolean isAtBorder;
     /** Events of the piece, of which a sample is fitted. */
     private int size;
     private double window;
@@ -93,9 +95,14 @@ final class PieceRefinement {
         fit.clear();
         int want = Math.min(size, Math.min(fit.capacity(), SAMPLE_EVENTS));
         long stride = ((long) size << 16) / want;
+        isAtBorder = false;
         for (int a = 0; a < want; a++) {
             int e = numbers[from + (int) (a * stride >> 16)];
             fit.add(events.x(e), events.y(e), (events.timeUs(e) - referenceUs) * 1e-6f, 0, 0, events.sign(e));
+            isAtBorder |= fit.isAtBorder(events.x(e), events.y(e));
+        }
+        if (isAtBorder) {
+            fit.cutOff(0, 0, window / 2);
         }
     }
 
@@ -155,8 +162,9 @@ final class PieceRefinement {
         vx += top.stepX();
         vy += top.stepY();
         fits++;
-        if (stage == Stage.BEST && fits <= HOPELESS.length && density(top) < HOPELESS[fits - 1] * p.evidence()
-                && sigmasOverRest(top) < HOPEFUL_SIGMAS) {
+        if (stage == Stage.BEST && fits <= HOPELESS.length
+                && density(top.metric()) < HOPELESS[fits - 1] * p.evidence()
+                && sigmasOverRest(top.metric()) < HOPEFUL_SIGMAS) {
             stage = Stage.OVER;
         } else if (fits == MOST_FITS || fits >= 3 && top.steps() < 0.3) {
             arrive(top);
@@ -193,7 +201,9 @@ final class PieceRefinement {
 
     /** Whether what was fitted last is a structure, and not what chance or an edge along itself would give. */
     private boolean isEvident(VelocityTop top) {
-        return hasTravelled(top) && density(top) >= p.evidence() || isShown(top);
+        double metric = isAtBorder ? fit.metricAsSeen(vx, vy) : top.metric();
+        // where the border counts, what leaves the sensor soon may have been climbed to from rest
+        return metric >= atRest && (hasTravelled(top) && density(metric) >= p.evidence() || isShown(top, metric));
     }
 
     /** Whether what was fitted last has travelled enough to be distinguished from what stands still. */
@@ -205,17 +215,17 @@ final class PieceRefinement {
     }
 
     /** Whether the velocity passes rest by more than chance, and is known along both axes. */
-    private boolean isShown(VelocityTop top) {
-        return window < SHOWN_WITHIN_S && sigmasOverRest(top) > SHOWN_SIGMAS && density(top) > LEAST_DENSITY
+    private boolean isShown(VelocityTop top, double metric) {
+        return window < SHOWN_WITHIN_S && sigmasOverRest(metric) > SHOWN_SIGMAS && density(metric) > LEAST_DENSITY
             && top.leastLoss() * px() * px() > KNOWN_SIGMAS * Math.sqrt(top.metric());
     }
 
-    private double sigmasOverRest(VelocityTop top) {
-        return (top.metric() - Math.max(0, atRest)) / MetricFit.sd(top.metric());
+    private double sigmasOverRest(double metric) {
+        return (metric - Math.max(0, atRest)) / MetricFit.sd(metric);
     }
 
     /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */
-    private double density(VelocityTop top) {
-        return top.metric() / fit.size() * size / fit.size();
+    private double density(double metric) {
+        return metric / fit.size() * size / fit.size();
     }
 }

@@ -27,6 +27,11 @@ final class Measurement {
     private static final double STEADY_LIFETIMES = 1.5;
     /** Correction over half the window after which the top may lie beyond what slopes tell. */
     private static final double RESTLESS_PX = 0.5;
+    /**
+     * Measurements of what was just found at the border, and may be coming in, that count what is in sight for a while
+     * only by so much more. With all of them a rectangle that turns at up to 20 rad/s is 2 % less sharp.
+     */
+    private static final int COMING_IN = 40;
     /** Measurements after which a motion is judged: before, it is that of the search. */
     private static final int LEAST_JUDGED = 2;
     /**
@@ -95,6 +100,8 @@ final class Measurement {
     private double widen;
     /** Whether the last measurement moved the motion far. */
     private boolean restless;
+    /** Whether the border cuts off a part of the events that were loaded last. */
+    private boolean isCutOff;
     private double lifetimePx;
     /** Travel for which the live events have not been sharp, in px. */
     private double blurredPx;
@@ -197,6 +204,9 @@ final class Measurement {
         motion.moveReference(live.oldestUs() + windowUs / 2);
         int shared = load(motion, live, radius, fit);
         if (fit.size() >= LEAST_EVENTS) {
+            if (isCutOff) {
+                fit.cutOff(motion.vx, motion.vy, half);
+            }
             improve(motion, live, half, radius, fit, (double) shared / (shared + fit.size()));
             followSharpness(half, lifetimeUs, nowUs);
         }
@@ -211,7 +221,7 @@ final class Measurement {
         if (count < LEAST_JUDGED || wasMeasured && prediction.isSure(nowUs)) {
             return;
         }
-        double along = wasMeasured && fit.size() >= LEAST_EVENTS ? loss.metric : 0;
+        double along = wasMeasured && !isCutOff && fit.size() >= LEAST_EVENTS ? loss.metric : 0;
         loadAtRest(motion, live, fit);
         if (fit.size() < LEAST_EVENTS) {
             // what is hidden is not contradicted
@@ -284,6 +294,7 @@ final class Measurement {
         fit.clear();
         int want = sample(live.size());
         int shared = 0;
+        isCutOff = false;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
             int i = live.index(sampled(k, want, live.size()));
@@ -298,7 +309,10 @@ final class Measurement {
             fit.add((float) x, (float) y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
                 (float) (x - motion.centreX), (float) (y - motion.centreY),
                 turned ? turn.polarity(live.timeUs[i], live.sign[i]) : live.sign[i]);
+            isCutOff |= fit.isAtBorder(live.x[i], live.y[i]);
         }
+        // of what is measured on a part of its events, the border cuts off little
+        isCutOff &= count < COMING_IN && want == live.size() && live.thinning() == 1;
         return shared;
     }
 

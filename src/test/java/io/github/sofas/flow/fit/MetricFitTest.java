@@ -1,6 +1,7 @@
 package io.github.sofas.flow.fit;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.PlainPlane.Cell;
@@ -14,6 +15,8 @@ import org.junit.Test;
 
 /** The metric of bilinear votes against a plain one: twice the sum over all pairs of events of what they share. */
 public class MetricFitTest {
+    private static final double SLANT = 0.577;
+
     /** An event at (x, y) px, tau s after the reference. */
     private record Vote(float x, float y, float tauS, int polarity) {
     }
@@ -354,5 +357,46 @@ public class MetricFitTest {
         VelocityTop top = fit.fitCross(0, 0, 2);
         assertTrue(Double.isFinite(top.stepX()));
         assertTrue(Double.isFinite(top.stepY()));
+    }
+
+    /** A straight edge with an upper end in row 30 that slides to the right by 100 px/s and comes in slanted. */
+    private static MetricFit slantedEdgeThatComesIn() {
+        MetricFit fit = new MetricFit(64, 96, MetricFit.CELL_PX, 4096, 1900);
+        for (int y = 30; y < 96; y++) {
+            for (int x = 0; x < 64; x++) {
+                double s = (x + 10 + SLANT * (y - 48)) / 100;
+                if (s >= 0 && s < 0.2) {
+                    fit.add(x, y, (float) (s - 0.1), 0, 0, 1);
+                }
+            }
+        }
+        return fit;
+    }
+
+    @Test
+    public void edgeThatTheBorderCutsOffMeetsMoreOftenAsItMovesThanAsItsEndAtTheBorder() {
+        MetricFit fit = slantedEdgeThatComesIn();
+        // that end slides along the border, where 0 = 100 s - 10 - SLANT (y - 48)
+        double ofEnd = 100 / SLANT;
+        assertTrue(fit.metric(0, ofEnd) > 1.05 * fit.metric(100, 0));
+        fit.cutOff(0, 0, 0.1);
+        assertTrue(fit.metric(0, ofEnd) < 0.8 * fit.metric(100, 0));
+    }
+
+    @Test
+    public void metricAsSeenIsThatWithoutABorder() {
+        MetricFit fit = slantedEdgeThatComesIn();
+        double seen = fit.metric(100, 0);
+        fit.cutOff(0, 0, 0.1);
+        assertEquals(seen, fit.metricAsSeen(100, 0), 0);
+        assertTrue(fit.metric(100, 0) > seen);
+    }
+
+    @Test
+    public void borderIsTwoPixelsWide() {
+        MetricFit fit = new MetricFit(64, 96, MetricFit.CELL_PX, 16, 16);
+        assertTrue(fit.isAtBorder(1, 50));
+        assertTrue(fit.isAtBorder(30, 94));
+        assertFalse(fit.isAtBorder(2, 93));
     }
 }
