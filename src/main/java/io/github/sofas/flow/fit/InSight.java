@@ -53,7 +53,7 @@ final class InSight {
         return isCutOff && !isPaused;
     }
 
-    /** Takes everything to be in sight all the time until it is told not to, or not to any more. */
+    /** Takes everything to be in sight for as long as it pauses, whatever the border cuts off. */
     void pause(boolean pauses) {
         isPaused = pauses;
     }
@@ -65,8 +65,8 @@ final class InSight {
      * @param besideVx velocity beside that at which the events move, in px/s, and besideVy
      */
     void weigh(int columns, int rows, double left, double top, double cellPx, double besideVx, double besideVy) {
-        alongColumns.take(columns, left, cellPx, vx + besideVx, half);
-        alongRows.take(rows, top, cellPx, vy + besideVy, half);
+        alongColumns.take(columns, left, cellPx, vx + besideVx);
+        alongRows.take(rows, top, cellPx, vy + besideVy);
         for (int row = 0; row < rows; row++) {
             boolean isAll = alongRows.isAll(row);
             for (int column = 0; column < columns; column++) {
@@ -84,11 +84,10 @@ final class InSight {
     }
 
     /** When the columns or the rows of a grid are between 0 and a side of the sensor, from the middle of the window. */
-    private static final class Axis {
+    private final class Axis {
         private final double side;
         private final double[] from;
         private final double[] until;
-        private double half;
 
         Axis(double side, int most) {
             this.side = side;
@@ -96,8 +95,7 @@ final class InSight {
             until = new double[most];
         }
 
-        void take(int count, double first, double cellPx, double pxPerS, double halfS) {
-            half = halfS;
+        void take(int count, double first, double cellPx, double pxPerS) {
             boolean moves = Math.abs(pxPerS) > STILL;
             for (int k = 0; k < count; k++) {
                 double px = first + (k + 0.5) * cellPx;
