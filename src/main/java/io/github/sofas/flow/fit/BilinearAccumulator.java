@@ -113,7 +113,7 @@ final class BilinearAccumulator {
     /** Bytes of the grids. */
     static long bytes(int sensorWidth, int sensorHeight, double cellPx) {
         long cells = (long) side(sensorWidth, cellPx) * side(sensorHeight, cellPx);
-        return 3L * Integer.BYTES * cells + DenseVotes.BYTES + TimedVotes.bytes(cells);
+        return 2L * Integer.BYTES * cells + DenseVotes.BYTES + TimedVotes.bytes(cells) + InSight.bytes(cells);
     }
 
     /** The most events that fit. */

@@ -35,6 +35,11 @@ final class InSight {
         weights = new int[columns * rows];
     }
 
+    /** Bytes of the weights. */
+    static long bytes(long cells) {
+        return Integer.BYTES * cells;
+    }
+
     /** Takes everything to be in sight all the time. */
     void clear() {
         isCutOff = false;

@@ -295,6 +295,8 @@ final class Measurement {
         int want = sample(live.size());
         int shared = 0;
         isCutOff = false;
+        // of what is measured on a part of its events, the border cuts off little
+        boolean mayComeIn = count < COMING_IN && want == live.size() && live.thinning() == 1;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
             int i = live.index(sampled(k, want, live.size()));
@@ -309,10 +311,8 @@ final class Measurement {
             fit.add((float) x, (float) y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
                 (float) (x - motion.centreX), (float) (y - motion.centreY),
                 turned ? turn.polarity(live.timeUs[i], live.sign[i]) : live.sign[i]);
-            isCutOff |= fit.isAtBorder(live.x[i], live.y[i]);
+            isCutOff |= mayComeIn && fit.isAtBorder(live.x[i], live.y[i]);
         }
-        // of what is measured on a part of its events, the border cuts off little
-        isCutOff &= count < COMING_IN && want == live.size() && live.thinning() == 1;
         return shared;
     }
 
