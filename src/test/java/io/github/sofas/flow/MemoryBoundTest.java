@@ -126,8 +126,10 @@ public class MemoryBoundTest {
         Motion motion = new Motion();
         Random random = new Random(1);
         for (int i = 0; i < 1_000_000; i++) {
+            int x = random.nextInt(346);
+            int y = random.nextInt(260);
             event.clear();
-            event.add(i / 20, random.nextInt(346), random.nextInt(260), random.nextInt(2));
+            event.add(i / 20, x, y, random.nextInt(2));
             if (i % 25 == 0) {
                 motion.set(i / 20, random.nextInt(100), 0);
                 smoother.add(1 + i / 25 % 63, motion);
@@ -136,7 +138,8 @@ public class MemoryBoundTest {
             while (smoother.take(taken, flow)) {
                 assertTrue(taken.size() > 0);
             }
-            flow.segment[0] = i % 64;
+            // side by side, each a part of 44 x 33 px: who shares its place competes for events, which takes long
+            flow.segment[0] = x / 44 + y / 33 * 8;
             smoother.add(event, flow, 0);
         }
         long held = measured(smoother);
