@@ -24,8 +24,8 @@ record TableScene(String name, Scene scene, SimulationOptions options) {
             textured.add(new TableScene(Scene.TEXTURED_PAN.sceneName() + "-" + (int) speed, Scene.TEXTURED_PAN,
                 PLAIN.withSpeedPxPerS(speed)));
         }
-        Stream.of(Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND, Scene.POSTER, Scene.COMING_NEAR,
-                Scene.TEXTURED_MOVERS, Scene.FLICKER)
+        Stream.of(Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND, Scene.TEXTURED_TURN,
+                Scene.TEXTURED_SLANT, Scene.POSTER, Scene.COMING_NEAR, Scene.TEXTURED_MOVERS, Scene.FLICKER)
             .forEach(scene -> textured.add(new TableScene(scene.sceneName(), scene, PLAIN)));
         return textured;
     }

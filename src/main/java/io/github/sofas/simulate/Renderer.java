@@ -176,8 +176,9 @@ final class Renderer {
             double startY = pose.alongY(left, y);
             for (int x = left; x < endX; x++) {
                 int steps = x - left;
-                visitor.texture(y * width + x, x, y, i,
-                        logLights[i] + texture.logLightAt(startX + steps * alongX, startY + steps * alongY));
+                double atX = pose.isView() ? pose.alongX(x, y) : startX + steps * alongX;
+                double atY = pose.isView() ? pose.alongY(x, y) : startY + steps * alongY;
+                visitor.texture(y * width + x, x, y, i, logLights[i] + texture.logLightAt(atX, atY));
             }
         }
     }

@@ -58,7 +58,13 @@ public enum Scene {
     /** A camera held by hand. */
     TEXTURED_HAND("textured-hand", "a textured wall sliding, turning and growing at once, each at a changing rate",
             TexturedScenes::hand),
-    /** The same before plain shapes. */
+    /** A camera that turns, with a lens as wide as most. */
+    TEXTURED_TURN("textured-turn", "a textured wall before a camera with a lens of 60 degrees that turns by 40",
+            TexturedScenes::turn),
+    /** A wall that goes back. */
+    TEXTURED_SLANT("textured-slant", "a textured wall seen at a slant of 30 degrees, before a camera that slides past",
+            TexturedScenes::slant),
+    /** Plain shapes before a camera held by hand. */
     POSTER("poster", "shapes on a poster sliding, turning and growing at once, each at a changing rate",
             PosterScene::compose),
     /** Time to contact. */

@@ -136,7 +136,7 @@ public final class SimulatedSource implements EventSource {
         return trajectory.maxSpeedPxPerS(Math.min(radius, diagonal));
     }
 
-    /** Slid, turned and grown rigidly, the picture moves fastest in one of its corners. */
+    /** Slid, turned, grown or seen by a camera that turns, the picture moves fastest in one of its corners. */
     private double maxSpeedInCorners(Trajectory trajectory) {
         double fastest = 0;
         Pose pose = new Pose();

@@ -54,6 +54,23 @@ final class TexturedScenes {
         return new World(List.of(wall(1, options, byHand(options, 1, durationS))), durationS);
     }
 
+    static World turn(SimulationOptions options) {
+        return new World(List.of(wall(1, options, camera(options, true, 0))), byHandS(options));
+    }
+
+    /** The wall goes back across the way of the camera as much as along it. */
+    static World slant(SimulationOptions options) {
+        return new World(List.of(wall(1, options, camera(options, false, Math.tan(Math.PI / 6)))), byHandS(options));
+    }
+
+    private static CameraPath camera(SimulationOptions options, boolean turns, double slant) {
+        Heading heading = new Heading(options);
+        double each = slant / Math.sqrt(2);
+        return new CameraPath(options.sensor().width() / 2.0 / Math.tan(Math.PI / 6), Scenes.centreX(options),
+                Scenes.centreY(options), heading.x(1, 0), heading.y(1, 0), byHandSpeed(options), turns,
+                heading.x(each, each), heading.y(each, each), 0.6, byHandS(options));
+    }
+
     /** How long what a camera sees that is held by hand is filmed, in s. */
     static double byHandS(SimulationOptions options) {
         return Scenes.duration(options, travelS(150 / byHandSpeed(options)));

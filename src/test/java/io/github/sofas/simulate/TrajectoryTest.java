@@ -33,6 +33,55 @@ public class TrajectoryTest {
     }
 
     @Test
+    public void cameraThatTurnsSeesTheBordersMoveFaster() {
+        // 0.5 rad/s in the middle of the time, with a focal length of 200 px: 100 (1 + x²/f²) and 100 x y / f² px/s
+        new CameraPath(200, 120, 90, 1, 0, 100, true, 0, 0, 0, 2).poseAt(1, pose);
+        for (int x = -120; x <= 120; x += 60) {
+            for (int y = -90; y <= 90; y += 45) {
+                assertEquals(100 + 100.0 * x * x / 40_000, pose.vxAt(120 + x, 90 + y), 1e-6);
+                assertEquals(100.0 * x * y / 40_000, pose.vyAt(120 + x, 90 + y), 1e-6);
+            }
+        }
+        // after 0.2 rad more, the middle of the wall is at tan 0.2 focal lengths from that of the sensor
+        new CameraPath(200, 120, 90, 0, 1, 100, true, 0, 0, 0, 2).poseAt(1.4, pose);
+        assertEquals(0, pose.alongX(120, 90 + 200 * Math.tan(0.2)), 1e-9);
+        assertEquals(0, pose.alongY(120, 90 + 200 * Math.tan(0.2)), 1e-9);
+    }
+
+    @Test
+    public void wallThatGoesBackMovesMoreSlowlyThere() {
+        // half as far back again for each focal length to the right: 1 - x / (2 f) of the speed at x from the middle
+        new CameraPath(200, 120, 90, 0, 1, 100, false, 0.5, 0, 0.6, 2).poseAt(1, pose);
+        for (int x = -100; x <= 100; x += 100) {
+            assertEquals(0, pose.vxAt(120 + x, 30), 1e-6);
+            assertEquals(160 * (1 - x / 400.0), pose.vyAt(120 + x, 30), 1e-5);
+        }
+    }
+
+    @Test
+    public void velocityOfAViewIsThatOfTheWallsPoints() {
+        for (CameraPath path : List.of(new CameraPath(208, 119.5, 89.5, 0.6, 0.8, 70, true, 0, 0, 0.6, 2.5),
+                new CameraPath(208, 119.5, 89.5, 0.6, -0.8, 70, false, 0.4, -0.3, 0.6, 2.5))) {
+            path.poseAt(0.4, pose);
+            double vx = pose.vxAt(200, 30);
+            double vy = pose.vyAt(200, 30);
+            double x = pose.alongX(200, 30);
+            double y = pose.alongY(200, 30);
+            path.poseAt(0.402, pose);
+            assertEquals(x, pose.alongX(200 + 0.002 * vx, 30 + 0.002 * vy), 2e-3);
+            assertEquals(y, pose.alongY(200 + 0.002 * vx, 30 + 0.002 * vy), 2e-3);
+        }
+    }
+
+    @Test
+    public void objectSeenFromTheFrontAfterAWallIsOne() {
+        new CameraPath(200, 120, 90, 1, 0, 100, true, 0, 0, 0, 2).poseAt(1, pose);
+        new Trajectory.Straight(10, 20, 0, 30, 40, 0).poseAt(0, pose);
+        assertEquals(30, pose.vxAt(100, 100), 1e-12);
+        assertEquals(90, pose.alongX(100, 100), 1e-12);
+    }
+
+    @Test
     public void pendulumHasThePapersPeakSpeedAtTheLowestPoint() {
         // sqrt(2 * 9.82 * 0.72 * (1 - cos 23 deg)) = 1.0602 m/s; 200 px/m makes 212.0 px/s.
         Pendulum pendulum = new Pendulum(120, 90, 200, 0);
