@@ -180,7 +180,7 @@ public class AccuracyTest {
     @Test
     public void edgesThatAreAllButParallelAreNotTakenForOneThatSlidesAlongThem() {
         assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(67), 8.68, 0.84, 13.40, 16.84);
-        assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(307), 7.48, 0.46, 12.31, 26.40);
+        assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(307), 5.85, 1.02, 13.39, 21.00);
     }
 
     @Test

@@ -6,11 +6,11 @@ import io.github.sofas.flow.motion.Motion;
  * The motion that serves two structures best, were they one body: that by which their metrics lose least. Ours, because
  * the two ends of a body that turns have two velocities, and so have two parts of what comes nearer.
  *
- * <p>Rotation and growth are those of the one that knows them better. Any two velocities agree with some rotation and
- * growth, so that these are no unknowns. With velocities vi of their centres and losses Li by other velocities, the
- * velocity v of the point between them is that which makes the sum over both of
- * (v + omega x r + growth r - vi)' Li (v + omega x r + growth r - vi) least. There Li has a little of itself all round,
- * so that no velocity is made up along edges.
+ * <p>Rotation, growth and deformation are those of the one that knows them better. Any two velocities agree with some
+ * rotation and growth, so that these are no unknowns. With velocities vi of their centres and losses Li by other
+ * velocities, the velocity v of the point between them is that which makes the sum over both of (v + omega x r +
+ * growth r - vi)' Li (v + omega x r + growth r - vi) least, with what the deformation adds. There Li has a little of
+ * itself all round, so that no velocity is made up along edges.
  */
 public final class CommonMotion {
     /**
@@ -21,6 +21,7 @@ public final class CommonMotion {
 
     private final Motion first = new Motion();
     private final Motion second = new Motion();
+    private final Motion middle = new Motion();
     private final Motion motion = new Motion();
     private double lost;
 
@@ -58,7 +59,7 @@ public final class CommonMotion {
         return fitVelocity(lossOne, lossOther);
     }
 
-    /** Begins with the rotation and the growth of the one that knows them better. */
+    /** Begins with rotation, deformation and growth of the one that knows them better, in the middle between them. */
     private void begin(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
         first.copyFrom(one);
         first.moveReference(timeUs);
@@ -67,8 +68,14 @@ public final class CommonMotion {
         motion.copyFrom(first);
         motion.centreX = (first.centreX + second.centreX) / 2;
         motion.centreY = (first.centreY + second.centreY) / 2;
-        motion.omega = lossOther.turn > lossOne.turn ? second.omega : first.omega;
-        motion.growth = lossOther.grow > lossOne.grow ? second.growth : first.growth;
+        middle.copyFrom(lossOther.turn > lossOne.turn ? second : first);
+        middle.moveCentre(motion.centreX, motion.centreY);
+        motion.omega = middle.omega;
+        motion.growth = middle.growth;
+        motion.deformation.copyFrom(middle.deformation);
+        if (motion.deformation.isNone()) {
+            motion.growth = lossOther.grow > lossOne.grow ? second.growth : first.growth;
+        }
     }
 
     private boolean fitVelocity(MotionLoss lossOne, MotionLoss lossOther) {
@@ -93,12 +100,16 @@ public final class CommonMotion {
 
     /** Velocity to the right by which a structure's centre moves beside the point between the two. */
     private double besideX(Motion its) {
-        return motion.growth * (its.centreX - motion.centreX) - motion.omega * (its.centreY - motion.centreY);
+        double rx = its.centreX - motion.centreX;
+        double ry = its.centreY - motion.centreY;
+        return motion.growth * rx - motion.omega * ry + motion.deformation.vx(rx, ry);
     }
 
     /** The same downwards. */
     private double besideY(Motion its) {
-        return motion.omega * (its.centreX - motion.centreX) + motion.growth * (its.centreY - motion.centreY);
+        double rx = its.centreX - motion.centreX;
+        double ry = its.centreY - motion.centreY;
+        return motion.growth * ry + motion.omega * rx + motion.deformation.vy(rx, ry);
     }
 
     /** Adds what one structure knows. */
@@ -114,11 +125,14 @@ public final class CommonMotion {
     }
 
     private double shareLost(Motion its, MotionLoss loss) {
-        return loss.of(motion.vx + besideX(its) - its.vx, motion.vy + besideY(its) - its.vy, motion.omega - its.omega,
-            motion.growth - its.growth) / loss.metric;
+        double rx = its.centreX - motion.centreX;
+        double ry = its.centreY - motion.centreY;
+        return loss.of(motion.vx + besideX(its) - its.vx, motion.vy + besideY(its) - its.vy,
+            motion.omega + motion.deformation.omegaAt(rx, ry) - its.omega,
+            motion.growth + motion.deformation.growthAt(rx, ry) - its.growth) / loss.metric;
     }
 
-    /** Whether rotation and growth make the velocities of the two centres differ by more than a share of the speed. */
+    /** Whether these make the velocities of the two centres differ by more than a share of the speed. */
     public boolean turnsOrGrows(double share) {
         double x = besideX(first) - besideX(second);
         double y = besideY(first) - besideY(second);

@@ -48,6 +48,8 @@ public final class MetricFit {
     private boolean known;
     private final VelocityTop velocity = new VelocityTop();
     private final MetricSlopes slopes = new MetricSlopes();
+    private final PlaneSlopes plane = new PlaneSlopes();
+    private final MetricSlopes ofPlane = new MetricSlopes();
     private final SlopedChange sloped = new SlopedChange(slopes);
     private final ProjectedChange projected;
     /** Whether the velocity was fitted by the slopes last, so that changes are, too. */
@@ -102,6 +104,24 @@ public final class MetricFit {
     public void add(float x, float y, float tauS, float rx, float ry, int polarity) {
         metric.add(x, y, tauS, rx, ry, polarity);
         known = false;
+    }
+
+    /**
+     * Adds an event of a structure as it lies in the middle of the window.
+     *
+     * @param x column, projected along the motion but for its deformation, in px, and y its row
+     * @param tauS time from the middle in s
+     */
+    public void add(Motion along, double x, double y, double tauS, int polarity) {
+        double rx = x - along.centreX;
+        double ry = y - along.centreY;
+        if (!along.deformation.isNone()) {
+            // far less than a pixel: what it is then deformed by changes nothing
+            double vx = along.deformation.vx(rx, ry);
+            ry -= tauS * along.deformation.vy(rx, ry);
+            rx -= tauS * vx;
+        }
+        add((float) (along.centreX + rx), (float) (along.centreY + ry), (float) tauS, (float) rx, (float) ry, polarity);
     }
 
     /** Whether an event is so near the border of the sensor that this may hide where it comes from or goes to. */
@@ -298,6 +318,19 @@ public final class MetricFit {
     /** Metric of a projection so many distances along the axes of the frame from a velocity. */
     private double beside(double vx0, double vy0, int a, int b) {
         return metric.atVelocity(frame.vx(vx0, a, b), frame.vy(vy0, a, b));
+    }
+
+    /**
+     * Slopes of the metric by all parameters of the flow of a plane, around the motion that the events were projected
+     * along; until they are asked for again.
+     *
+     * @param radius of the structure in px
+     */
+    PlaneSlopes planeSlopes(double radius) {
+        plane.begin(radius);
+        ofPlane.plane = plane;
+        metric.slopes(ofPlane);
+        return plane;
     }
 
     /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */

@@ -27,6 +27,8 @@ final class MetricSlopes {
     double lossTurn;
     /** Loss per (1/s)². */
     double lossGrow;
+    /** The same of all parameters of the flow of a plane; null where that is not asked for. */
+    PlaneSlopes plane;
     /** What a change of a parameter by 1 a second loses, as a share of what the parameter itself loses by 1. */
     double changeShare;
 
@@ -67,5 +69,8 @@ final class MetricSlopes {
         lossYy *= by;
         lossTurn *= by;
         lossGrow *= by;
+        if (plane != null) {
+            plane.multiply(by);
+        }
     }
 }

@@ -4,10 +4,11 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * How the motion of a structure differs from one velocity for all of it: acceleration along and across the axis that is
- * known best, rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far as
- * it passes what noise could be. Ours, because a velocity that is that of the middle of the window lags: by 25 of a
- * pendulum's 380 px/s.
+ * How the motion of a structure differs from one velocity for all of it: acceleration along and across the axis that
+ * is known best, rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far
+ * as it passes what noise could be; of a large structure rotation and growth with its deformation ({@link
+ * PlaneChange}). Ours, because a velocity that is that of the middle of the window lags: by 25 of a pendulum's 380
+ * px/s.
  */
 public final class MotionChange {
     /** Shift of the end of the window by a new change of the rotation that is half taken over at once, in px. */
@@ -69,6 +70,7 @@ public final class MotionChange {
     private double shownAcross;
     private final SeriesSlope growthSlope = new SeriesSlope();
     private final StructureTensor structure = new StructureTensor();
+    private final PlaneChange plane = new PlaneChange();
     private int measurements;
     /** How clearly the acceleration along shows, in standard deviations of the metric. */
     private double bendSigmas;
@@ -100,6 +102,7 @@ public final class MotionChange {
         radius = 0;
         measurements = 0;
         structure.restart();
+        plane.restart();
     }
 
     /**
@@ -127,8 +130,15 @@ public final class MotionChange {
             motion.ax = 0;
             motion.ay = 0;
         }
+        double turned = motion.omega;
+        double grown = motion.growth;
         if (radius > LEAST_RADIUS_PX && (p.rotation() || p.growth())) {
             measureTurnAndGrowth(fit, motion, loss, half, p);
+        }
+        if (PlaneChange.mayBe(fit.size(), radius, measurements) && p.rotation() && p.growth()) {
+            plane.measure(fit, loss.metric, motion, turned, grown, half, radius);
+        } else {
+            motion.deformation.clear();
         }
     }
 
@@ -224,6 +234,7 @@ public final class MotionChange {
         motion.growth *= HELD;
         motion.growthChange *= HELD;
         growthSlope.hold(HELD);
+        plane.hold(motion, HELD);
     }
 
     /** Takes what turns for one body: two edges of it that turn together need not show it each by itself. */

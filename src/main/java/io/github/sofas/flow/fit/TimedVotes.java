@@ -103,6 +103,9 @@ final class TimedVotes {
     }
 
     private void look(int columns, int rows, double x0, double y0, double cellPx, double unit, MetricSlopes to) {
+        // the slope is that between two cells on both sides, of each of the two events of a pair
+        double slope = -ONE / cellPx * unit;
+        double loss = -ONE / (cellPx * cellPx) * unit * unit;
         double perColumn = 1.0 / columns;
         // cells with neighbours all around
         int last = columns * (rows - 1) - 1;
@@ -157,11 +160,12 @@ final class TimedVotes {
                 lossYy += by;
                 lossTurn += bx * ry * ry - 2 * bxy * rx * ry + by * rx * rx;
                 lossGrow += bx * rx * rx + 2 * bxy * rx * ry + by * ry * ry;
+                if (to.plane != null) {
+                    to.plane.add(rx, ry, slope * gx * t, slope * gy * t, loss * bx, loss * bxy, loss * by);
+                }
             }
         }
         to.metric += met * ONE;
-        // the slope is that between two cells on both sides, of each of the two events of a pair
-        double slope = -ONE / cellPx * unit;
         to.vx += vx * slope;
         to.vy += vy * slope;
         to.ax += ax * slope * unit / 2;
@@ -169,7 +173,6 @@ final class TimedVotes {
         to.turn += turn * slope;
         to.spin += spin * slope * unit / 2;
         to.grow += grow * slope;
-        double loss = -ONE / (cellPx * cellPx) * unit * unit;
         to.lossXx += lossXx * loss;
         to.lossXy += lossXy * loss;
         to.lossYy += lossYy * loss;

@@ -1,10 +1,11 @@
 package io.github.sofas.flow.motion;
 
 /**
- * How a structure moves on the sensor: velocity, acceleration, rotation and growth about a centre that moves along.
- * Ours beyond the paper's velocity: section Conclusion names acceleration and rotation as where it fails.
+ * How a structure moves on the sensor: velocity, acceleration, rotation, growth and deformation about a centre that
+ * moves along. Ours beyond the paper's velocity: section Conclusion names acceleration and rotation as where it fails.
  *
- * <p>A point at r from the centre has the velocity v + omega x r + growth r. Seen from a reference time t0, with
+ * <p>A point at r from the centre has the velocity v + omega x r + growth r, and what the {@link Deformation} adds. But
+ * for that, seen from a reference time t0, with
  * dt = t - t0, an event at u of time t was or will be at
  * exp(-growth dt - growthChange dt²/2) R(-omega dt - alpha dt²/2) (u - c - v dt - a dt²/2) + c
  * ({@link SteppedProjection}).
@@ -26,7 +27,9 @@ public final class Motion {
     public double growth;
     /** Change of the growth in 1/s². */
     public double growthChange;
-    /** Centre of rotation and growth at t0 in px. */
+    /** How its flow departs from that, as the flow of what is seen at a slant; it does not change. */
+    public final Deformation deformation = new Deformation();
+    /** Centre of rotation, growth and deformation at t0 in px. */
     public double centreX;
     public double centreY;
 
@@ -37,6 +40,7 @@ public final class Motion {
         vy = newVy;
         omega = 0;
         growth = 0;
+        deformation.clear();
         hold();
     }
 
@@ -59,6 +63,7 @@ public final class Motion {
         alpha = other.alpha;
         growth = other.growth;
         growthChange = other.growthChange;
+        deformation.copyFrom(other.deformation);
         centreX = other.centreX;
         centreY = other.centreY;
     }
@@ -82,8 +87,11 @@ public final class Motion {
     public void moveCentre(double newX, double newY) {
         double rx = newX - centreX;
         double ry = newY - centreY;
-        vx += growth * rx - omega * ry;
-        vy += growth * ry + omega * rx;
+        vx += growth * rx - omega * ry + deformation.vx(rx, ry);
+        vy += growth * ry + omega * rx + deformation.vy(rx, ry);
+        omega += deformation.omegaAt(rx, ry);
+        growth += deformation.growthAt(rx, ry);
+        deformation.moveCentre(rx, ry);
         ax += growthChange * rx - alpha * ry;
         ay += growthChange * ry + alpha * rx;
         centreX = newX;
@@ -93,15 +101,19 @@ public final class Motion {
     /** Velocity to the right of a point of the sensor at a time, in px/s. */
     public float vxAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
-        return (float) (vx + ax * dt - (omega + alpha * dt) * (y - centreY - vy * dt)
-            + (growth + growthChange * dt) * (x - centreX - vx * dt));
+        double rx = x - centreX - vx * dt;
+        double ry = y - centreY - vy * dt;
+        return (float) (vx + ax * dt - (omega + alpha * dt) * ry + (growth + growthChange * dt) * rx
+            + deformation.vx(rx, ry));
     }
 
     /** The same, downwards. */
     public float vyAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
-        return (float) (vy + ay * dt + (omega + alpha * dt) * (x - centreX - vx * dt)
-            + (growth + growthChange * dt) * (y - centreY - vy * dt));
+        double rx = x - centreX - vx * dt;
+        double ry = y - centreY - vy * dt;
+        return (float) (vy + ay * dt + (omega + alpha * dt) * rx + (growth + growthChange * dt) * ry
+            + deformation.vy(rx, ry));
     }
 
     /**
@@ -118,12 +130,13 @@ public final class Motion {
         double longest = Math.max(Math.abs(dt), Math.abs(untilUs - referenceUs) * 1e-6);
         return Math.sqrt(vx * vx + vy * vy) + Math.sqrt(ax * ax + ay * ay) * longest
             + (Math.abs(omega) + Math.abs(alpha) * longest + Math.abs(growth) + Math.abs(growthChange) * longest)
-            * farthest;
+            * farthest + deformation.mostSpeed(farthest);
     }
 
     /** Speed in px/s, root of the mean square over points whose distance from the centre has that of radius. */
     public double speed(double radius) {
-        return Math.sqrt(vx * vx + vy * vy + (omega * omega + growth * growth) * radius * radius);
+        return Math.sqrt(vx * vx + vy * vy
+            + (omega * omega + growth * growth + deformation.square()) * radius * radius);
     }
 
     /**

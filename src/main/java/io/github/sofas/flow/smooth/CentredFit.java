@@ -109,8 +109,7 @@ final class CentredFit {
             double x = projection.x(window.x[k], window.y[k]);
             double y = projection.y(window.x[k], window.y[k]);
             if (Squares.isTaken(x, y, us, share)) {
-                fit.add((float) x, (float) y, fromUs * 1e-6f, (float) (x - motion.centreX),
-                    (float) (y - motion.centreY), window.polarity[k]);
+                fit.add(motion, x, y, fromUs * 1e-6, window.polarity[k]);
             }
         }
     }

@@ -1,5 +1,6 @@
 package io.github.sofas.flow.smooth;
 
+import io.github.sofas.flow.motion.Deformation;
 import io.github.sofas.flow.motion.Motion;
 import java.util.ArrayList;
 import java.util.List;
@@ -41,6 +42,8 @@ final class SegmentPath {
     private final Motion steady = new Motion();
     private final Motion before = new Motion();
     private final Motion after = new Motion();
+    private final Deformation deformation = new Deformation();
+    private final Deformation averaged = new Deformation();
     private long steadyFromUs;
     private long steadyUntilUs;
 
@@ -257,6 +260,7 @@ final class SegmentPath {
         double vy = 0;
         double omega = 0;
         double growth = 0;
+        averaged.clear();
         for (int k = 1 - SAMPLES; k < SAMPLES; k++) {
             long fromUs = (long) (sideUs * k / SAMPLES);
             at(us + fromUs, steady, before);
@@ -265,11 +269,13 @@ final class SegmentPath {
             vy += weight * before.vy;
             omega += weight * before.omega;
             growth += weight * before.growth;
+            averaged.add(before.deformation, weight);
         }
         steady.vx = vx;
         steady.vy = vy;
         steady.omega = omega;
         steady.growth = growth;
+        steady.deformation.copyFrom(averaged);
     }
 
     /** The motion at a time. */
@@ -289,6 +295,7 @@ final class SegmentPath {
         to.moveCentre(a.centreX + a.vx * seconds, a.centreY + a.vy * seconds);
         double ax = (to.vx - a.vx) / seconds;
         double ay = (to.vy - a.vy) / seconds;
+        deformation.copyFrom(to.deformation);
         to.copyFrom(a);
         to.ax = ax;
         to.ay = ay;
@@ -296,6 +303,9 @@ final class SegmentPath {
         to.growthChange = (b.growth - a.growth) / seconds;
         to.moveReference(us);
         to.hold();
+        double share = (us - a.referenceUs) * 1e-6 / seconds;
+        to.deformation.multiply(1 - share);
+        to.deformation.add(deformation, share);
     }
 
     /** The motion at a time, about the point of the structure that is the centre of a motion at its own. */

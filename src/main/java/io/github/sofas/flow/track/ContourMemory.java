@@ -1,12 +1,13 @@
 package io.github.sofas.flow.track;
 
+import io.github.sofas.flow.motion.Gradient;
 import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * What a structure has looked like: where its contour was seen, in coordinates that travel, turn and grow with it,
- * remembered for a while after its live events have gone. Ours, because an edge that was hidden, or that moved along
- * itself, would else come back as a structure of its own.
+ * What a structure has looked like: where its contour was seen, in coordinates that travel, turn, grow and are deformed
+ * with it, but for perspective, remembered for a while after its live events have gone. Ours, because an edge that was
+ * hidden, or that moved along itself, would else come back as a structure of its own.
  *
  * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last.
  */
@@ -30,14 +31,18 @@ final class ContourMemory {
     /** Tick at which each cell was seen last. */
     private final int[] seen;
     private final Motion motion = new Motion();
-    // the origin of the structure's coordinates at the motion's reference, and how far they have turned
+    // the origin of the structure's coordinates at the motion's reference
     private double originX;
     private double originY;
-    private double angle;
-    private double scale;
-    // of a turn back by the angle, and a scaling back
-    private double cos;
-    private double sin;
+    // from px beside it, as it lies then, back to the structure's coordinates: a matrix
+    private double toXx;
+    private double toXy;
+    private double toYx;
+    private double toYy;
+    /** Whether the structure neither turned, grew nor was deformed so far, nor does. */
+    private boolean isShiftedOnly;
+    private final Gradient step = new Gradient();
+    private final Gradient exponential = new Gradient();
     private int memoryTicks;
     private long epochUs;
     // box of all cells ever seen
@@ -71,9 +76,11 @@ final class ContourMemory {
         originX = 0;
         originY = 0;
         memoryTicks = 0;
-        angle = 0;
-        scale = 1;
-        turnTo(0);
+        toXx = 1;
+        toXy = 0;
+        toYx = 0;
+        toYy = 1;
+        isShiftedOnly = now.omega == 0 && now.growth == 0 && now.deformation.isNone();
         epochUs = now.referenceUs;
         minX = Integer.MAX_VALUE;
         minY = Integer.MAX_VALUE;
@@ -93,23 +100,22 @@ final class ContourMemory {
         double travelY = (now.vy - 0.5 * now.ay * dt) * dt;
         double rx = originX - (now.centreX - travelX);
         double ry = originY - (now.centreY - travelY);
-        double turn = now.omega * dt;
-        double grown = now.growth * dt;
-        originX += travelX - turn * (ry + 0.5 * turn * rx) + grown * (rx + 0.5 * grown * rx - turn * ry);
-        originY += travelY + turn * (rx - 0.5 * turn * ry) + grown * (ry + 0.5 * grown * ry + turn * rx);
-        scale *= 1 + grown * (1 + 0.5 * grown);
-        turnTo(angle + turn);
+        exponential.take(now, dt);
+        originX = now.centreX + exponential.x(rx, ry);
+        originY = now.centreY + exponential.y(rx, ry);
+        exponential.take(now, -dt);
+        double xx = toXx;
+        double yx = toYx;
+        toXx = xx * exponential.xx + toXy * exponential.yx;
+        toXy = xx * exponential.xy + toXy * exponential.yy;
+        toYx = yx * exponential.xx + toYy * exponential.yx;
+        toYy = yx * exponential.xy + toYy * exponential.yy;
         goOn(now, memoryUs);
-    }
-
-    private void turnTo(double newAngle) {
-        angle = newAngle;
-        cos = StrictMath.cos(angle) / scale;
-        sin = StrictMath.sin(angle) / scale;
     }
 
     private void goOn(Motion now, long memoryUs) {
         motion.copyFrom(now);
+        isShiftedOnly &= now.omega == 0 && now.growth == 0 && now.deformation.isNone();
         memoryTicks = (int) Math.min(memoryUs >> TICK_BITS, LAST_TICK / 2);
         if (now.referenceUs - epochUs >> TICK_BITS > LAST_TICK) {
             Arrays.fill(seen, NEVER);
@@ -121,22 +127,21 @@ final class ContourMemory {
     private void locate(double x, double y, double dt) {
         double rx = x - originX - motion.vx * dt;
         double ry = y - originY - motion.vy * dt;
-        if (angle != 0 || motion.omega != 0 || scale != 1 || motion.growth != 0) {
-            // the origin moves with the structure, about the centre
-            double ox = originX - motion.centreX;
-            double oy = originY - motion.centreY;
-            double turn = motion.omega * dt;
-            double grown = motion.growth * dt;
-            rx += turn * oy - grown * ox;
-            ry -= turn * ox + grown * oy;
-            double c = (cos - turn * sin) * (1 - grown);
-            double s = (sin + turn * cos) * (1 - grown);
-            double t = c * rx + s * ry;
-            ry = c * ry - s * rx;
-            rx = t;
+        if (isShiftedOnly) {
+            cellX = rx * 0.5;
+            cellY = ry * 0.5;
+            return;
         }
-        cellX = rx * 0.5;
-        cellY = ry * 0.5;
+        // the origin moves with the structure, about the centre
+        step.takeFirstOrder(motion, dt);
+        double ox = originX - motion.centreX;
+        double oy = originY - motion.centreY;
+        rx -= step.x(ox, oy);
+        ry -= step.y(ox, oy);
+        double thenX = rx - step.x(rx, ry);
+        double thenY = ry - step.y(rx, ry);
+        cellX = 0.5 * (toXx * thenX + toXy * thenY);
+        cellY = 0.5 * (toYx * thenX + toYy * thenY);
     }
 
     /** Hash of the tile of the structure that an event lies on. */

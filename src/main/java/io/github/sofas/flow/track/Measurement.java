@@ -306,10 +306,8 @@ final class Measurement {
                 continue;
             }
             stepped.advance(live.timeUs[i]);
-            double x = stepped.x(live.x[i], live.y[i]);
-            double y = stepped.y(live.x[i], live.y[i]);
-            fit.add((float) x, (float) y, (live.timeUs[i] - motion.referenceUs) * 1e-6f,
-                (float) (x - motion.centreX), (float) (y - motion.centreY),
+            fit.add(motion, stepped.x(live.x[i], live.y[i]), stepped.y(live.x[i], live.y[i]),
+                (live.timeUs[i] - motion.referenceUs) * 1e-6,
                 turned ? turn.polarity(live.timeUs[i], live.sign[i]) : live.sign[i]);
             isCutOff |= mayComeIn && fit.isAtBorder(live.x[i], live.y[i]);
         }

@@ -170,10 +170,8 @@ final class OneBody {
             int i = live.index(k);
             if (live.claim(i) == Claim.OWN && live.timeUs[i] >= fromUs) {
                 stepped.advance(live.timeUs[i]);
-                double x = stepped.x(live.x[i], live.y[i]);
-                double y = stepped.y(live.x[i], live.y[i]);
-                fit.add((float) x, (float) y, (live.timeUs[i] - along.referenceUs) * 1e-6f,
-                    (float) (x - along.centreX), (float) (y - along.centreY), live.sign[i]);
+                fit.add(along, stepped.x(live.x[i], live.y[i]), stepped.y(live.x[i], live.y[i]),
+                    (live.timeUs[i] - along.referenceUs) * 1e-6, live.sign[i]);
             }
         }
     }

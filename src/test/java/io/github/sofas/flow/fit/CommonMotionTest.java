@@ -47,6 +47,25 @@ public class CommonMotionTest {
     }
 
     @Test
+    public void pieceOfAPlaneMovesAsThePlaneDoesThere() {
+        // a camera that turns by 0.4 rad/s with a focal length of 200 px: 80 (1 + x²/f²) and 80 x y / f² px/s; at
+        // (100, 50) from the middle 100 and 10 px/s, growing by 1.5 times 0.2, turning by half of 0.1
+        Motion plane = motion(120, 90, 80, 0, 0);
+        plane.deformation.perspectiveX = 80 / 40_000.0;
+        Motion piece = motion(220, 140, 100, 10, 0.05, 0.3);
+        CommonMotion common = new CommonMotion();
+        assertTrue(common.fit(piece, loss(1, 0, 1, 10, 10), plane, loss(1, 0, 1, 1000, 1000), 0));
+        assertEquals(0, common.lost(), TINY);
+        // in the middle between the two, 80 (1 + 50²/f²) and 80 50 25 / f²
+        assertEquals(85, common.motion().vx, TINY);
+        assertEquals(2.5, common.motion().vy, TINY);
+        assertEquals(plane.vxAt(30, 20, 0), common.motion().vxAt(30, 20, 0), 1e-4);
+        assertEquals(plane.vyAt(30, 20, 0), common.motion().vyAt(30, 20, 0), 1e-4);
+        // which differ by a quarter of the speed
+        assertTrue(common.turnsOrGrows(0.2));
+    }
+
+    @Test
     public void twoHalvesOfARotatingBarAreOneBody() {
         // 2 rad/s about (50, 40): 10 px to the right of it 20 px/s down, 10 px to the left as much up
         CommonMotion common = new CommonMotion();

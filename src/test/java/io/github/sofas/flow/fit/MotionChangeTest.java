@@ -4,9 +4,11 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.SofasParameters;
+import io.github.sofas.flow.motion.Deformation;
 import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.PlainMotion;
 import io.github.sofas.flow.motion.PlainMotion.Place;
+import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.List;
 import java.util.Random;
 import org.junit.Test;
@@ -227,6 +229,88 @@ public class MotionChangeTest {
         assertEquals(0, change.bendPx(HALF_S), 0);
     }
 
+    /** Measures a plane of 240 x 180 px whose middle is at (120, 90), from the velocity there, some times. */
+    private Motion measuredPlane(Deformation deformation, double omega, int dots) {
+        Motion truth = new Motion();
+        truth.set(0, 100, 0);
+        truth.omega = omega;
+        truth.centreX = 120;
+        truth.centreY = 90;
+        truth.deformation.copyFrom(deformation);
+        Motion motion = new Motion();
+        motion.set(0, 100, 0);
+        motion.centreX = 120;
+        motion.centreY = 90;
+        change.restart();
+        loss.clear();
+        MetricFit fit = new MetricFit(240, 180, MetricFit.CELL_PX, 1 << 14, 1900);
+        SteppedProjection projection = new SteppedProjection();
+        for (int repeat = 0; repeat < 24; repeat++) {
+            Random random = new Random(5);
+            fit.clear();
+            projection.begin(motion, 50_000, 200, 1.0 / 32);
+            for (int dot = 0; dot < dots; dot++) {
+                double x = 240 * random.nextDouble();
+                double y = 180 * random.nextDouble();
+                for (int k = 0; k < 12; k++) {
+                    long timeUs = Math.round((k + random.nextDouble() - 6) / 6 * 50_000);
+                    // straight on: what a point is deformed by in the time is less than a px
+                    int seenX = (int) Math.rint(x + truth.vxAt((int) x, (int) y, 0) * timeUs * 1e-6);
+                    int seenY = (int) Math.rint(y + truth.vyAt((int) x, (int) y, 0) * timeUs * 1e-6);
+                    projection.goTo(timeUs);
+                    fit.add(motion, projection.x(seenX, seenY), projection.y(seenX, seenY), timeUs * 1e-6, 1);
+                }
+            }
+            fit.frame(1 / 0.05);
+            VelocityTop top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
+            loss.take(top);
+            motion.vx += top.stepX();
+            motion.vy += top.stepY();
+            change.measure(fit, motion, loss, 0.05, 75, DEFAULTS.track());
+        }
+        return motion;
+    }
+
+    @Test
+    public void planeSeenAtASlantIsDeformedAsItsEventsSay() {
+        // below its middle it moves the more to the right, by 0.16 1/s: half of it rotation
+        Deformation slant = new Deformation();
+        slant.stretch = 0.06;
+        slant.shear = 0.08;
+        Motion motion = measuredPlane(slant, -0.08, 700);
+        assertEquals(0.06, motion.deformation.stretch, 0.006);
+        assertEquals(0.08, motion.deformation.shear, 0.008);
+        assertEquals(-0.08, motion.omega, 0.008);
+        assertEquals(100, motion.vx, 1);
+    }
+
+    @Test
+    public void planeBeforeACameraThatTurnsHasPerspective() {
+        // a focal length of 200 px: 100 px/s in the middle, 136 at the borders
+        Deformation perspective = new Deformation();
+        perspective.perspectiveX = 100 / 40_000.0;
+        Motion motion = measuredPlane(perspective, 0, 700);
+        assertEquals(0.0025, motion.deformation.perspectiveX, 0.00025);
+        assertEquals(0, motion.deformation.perspectiveY, 0.00025);
+        assertEquals(0, motion.deformation.stretch, 0.01);
+        assertEquals(100, motion.vx, 1);
+    }
+
+    @Test
+    public void planeThatIsNotDeformedStaysSo() {
+        Motion motion = measuredPlane(new Deformation(), 0, 700);
+        assertEquals(0, motion.deformation.stretch, 0.002);
+        assertEquals(0, motion.deformation.shear, 0.002);
+        assertEquals(0, motion.deformation.perspectiveX, 2e-5);
+    }
+
+    @Test
+    public void fewEventsShowNoDeformation() {
+        Deformation slant = new Deformation();
+        slant.stretch = 0.06;
+        assertTrue(measuredPlane(slant, 0, 160).deformation.isNone());
+    }
+
     @Test
     public void heldChangeFadesByAFifth() {
         Motion motion = new Motion();
@@ -236,6 +320,7 @@ public class MotionChangeTest {
         motion.alpha = 10;
         motion.growth = 0.5;
         motion.growthChange = 0.3;
+        motion.deformation.stretch = 0.1;
         change.hold(motion);
         assertEquals(80, motion.ax, 1e-9);
         assertEquals(-40, motion.ay, 1e-9);
@@ -243,6 +328,7 @@ public class MotionChangeTest {
         assertEquals(8, motion.alpha, 1e-9);
         assertEquals(0.4, motion.growth, 1e-9);
         assertEquals(0.24, motion.growthChange, 1e-9);
+        assertEquals(0.08, motion.deformation.stretch, 1e-9);
     }
 
     @Test

@@ -16,6 +16,7 @@ public class TimedVotesTest {
     /** Where the first cell lies from the centre, in px. */
     private static final double X0 = -7.5;
     private static final double Y0 = -8;
+    private static final double RADIUS_PX = 4;
 
     private final Random random = new Random(5);
     private final int size = 60;
@@ -38,6 +39,8 @@ public class TimedVotesTest {
         ShiftProfile profile = new ShiftProfile(size);
         profile.take(seconds, size);
         MetricSlopes slopes = new MetricSlopes();
+        slopes.plane = new PlaneSlopes();
+        slopes.plane.begin(RADIUS_PX);
         votes.addSlopes(at, size, profile, COLUMNS, ROWS, X0, Y0, CELL_PX, slopes);
         return slopes;
     }
@@ -146,6 +149,30 @@ public class TimedVotesTest {
             assertClose(loss(TimedVotesTest::none, r -> 0.5, TimedVotesTest::none), slopes.lossXy);
             assertClose(loss(r -> r[1] * r[1], r -> -r[0] * r[1], r -> r[0] * r[0]), slopes.lossTurn);
             assertClose(loss(r -> r[0] * r[0], r -> r[0] * r[1], r -> r[1] * r[1]), slopes.lossGrow);
+        }
+    }
+
+    /** Velocity that a unit of a parameter gives a place, in the order of {@link PlaneSlopes}. */
+    private static double[] flow(int parameter, double[] fromCentre) {
+        double x = fromCentre[0] / RADIUS_PX;
+        double y = fromCentre[1] / RADIUS_PX;
+        double[][] flows = {{1, 0}, {0, 1}, {-y, x}, {x, y}, {x, -y}, {y, x}, {x * x, x * y}, {x * y, y * y}};
+        return flows[parameter];
+    }
+
+    @Test
+    public void slopesAndLossesOfAPlaneAreThoseOfAllPairs() {
+        scatter();
+        PlaneSlopes plane = slopes(new TimedVotes(COLUMNS * ROWS)).plane;
+        for (int i = 0; i < PlaneSlopes.COUNT; i++) {
+            int p = i;
+            assertClose(slope(1, r -> flow(p, r)[0], r -> flow(p, r)[1]), plane.rise(i));
+            for (int j = 0; j < PlaneSlopes.COUNT; j++) {
+                int q = j;
+                assertClose(loss(r -> flow(p, r)[0] * flow(q, r)[0],
+                    r -> (flow(p, r)[0] * flow(q, r)[1] + flow(p, r)[1] * flow(q, r)[0]) / 2,
+                    r -> flow(p, r)[1] * flow(q, r)[1]), plane.loss(i, j));
+            }
         }
     }
 

@@ -114,6 +114,37 @@ public class MotionTest {
     }
 
     @Test
+    public void movedCentreLeavesTheVelocityOfEveryPointOfAPlaneAsItIs() {
+        Motion motion = turningAndGrowing();
+        motion.deformation.stretch = 0.2;
+        motion.deformation.shear = -0.3;
+        motion.deformation.perspectiveX = 0.004;
+        motion.deformation.perspectiveY = -0.003;
+        Motion moved = new Motion();
+        moved.copyFrom(motion);
+        moved.moveCentre(-13, 71);
+        for (int x = 0; x < 100; x += 33) {
+            for (int y = 0; y < 100; y += 33) {
+                assertEquals(motion.vxAt(x, y, 1_000_000), moved.vxAt(x, y, 1_000_000), 1e-4);
+                assertEquals(motion.vyAt(x, y, 1_000_000), moved.vyAt(x, y, 1_000_000), 1e-4);
+            }
+        }
+    }
+
+    @Test
+    public void speedOfWhatIsDeformedIsThatOfFourPointsOfIt() {
+        Motion motion = turningAndGrowing();
+        motion.deformation.stretch = 1.2;
+        motion.deformation.shear = -0.7;
+        double squares = 0;
+        for (int[] r : new int[][] {{4, 0}, {-4, 0}, {0, 4}, {0, -4}}) {
+            squares += Math.pow(motion.vxAt(50 + r[0], 40 + r[1], 1_000_000), 2)
+                + Math.pow(motion.vyAt(50 + r[0], 40 + r[1], 1_000_000), 2);
+        }
+        assertEquals(Math.sqrt(squares / 4), motion.speed(4), 1e-4);
+    }
+
+    @Test
     public void speedIsTheRootOfTheMeanSquareOverTheStructure() {
         // 30² + 10² of the centre, (2² + 0.5²) 4² of points 4 px from it
         assertEquals(Math.sqrt(1000 + 4.25 * 16), turningAndGrowing().speed(4), 1e-9);

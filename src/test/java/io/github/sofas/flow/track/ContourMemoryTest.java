@@ -117,6 +117,26 @@ public class ContourMemoryTest {
     }
 
     @Test
+    public void placesAreStretchedWithTheStructure() {
+        // 0.5 1/s for a second, followed every 20 ms: 10 px right of the centre become 16.5, and from 9 px above it to
+        // 9 px below it 5.5
+        Motion stretched = motion(0, 0, 0, 0);
+        stretched.deformation.stretch = 0.5;
+        ContourMemory shape = edge(stretched);
+        for (int i = 1; i <= 50; i++) {
+            stretched.moveReference(i * 20_000);
+            shape.follow(stretched, 2_000_000);
+        }
+        for (int y = 26; y <= 34; y++) {
+            assertTrue(shape.remembered(56, y, 1_000_000) > 0);
+        }
+        assertEquals(0, shape.remembered(56, 40, 1_000_000));
+        assertEquals(0, shape.remembered(50, 30, 1_000_000));
+        // and on from there: 17.3 px after another tenth
+        assertTrue(shape.remembered(57, 30, 1_100_000) > 0);
+    }
+
+    @Test
     public void whatIsSeenLaterIsAPlaceOfTheStructureToo() {
         // seen at (60, y) after 0.5 s at 20 px/s is the same place as (50, y) at first
         ContourMemory shape = new ContourMemory(128, 96);
