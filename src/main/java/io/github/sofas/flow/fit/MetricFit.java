@@ -289,10 +289,19 @@ public final class MetricFit {
      * @return the top, until the next fit of a velocity
      */
     public VelocityTop fitSlopes(double px, double sigmas) {
+        return fitSlopes(px, sigmas, 0);
+    }
+
+    /**
+     * The same, with the slopes of a plane, which are then known.
+     *
+     * @param planeRadius radius of the structure in px; 0 where they will not be asked for
+     */
+    public VelocityTop fitSlopes(double px, double sigmas, double planeRadius) {
         if (metric.isCutOff()) {
             return fitCross(0, 0, sigmas);
         }
-        metric.slopes(slopes);
+        takeSlopes(slopes, planeRadius);
         bySlopes = true;
         greatest = Math.max(0, slopes.metric);
         look(1, 0, px);
@@ -327,10 +336,16 @@ public final class MetricFit {
      * @param radius of the structure in px
      */
     PlaneSlopes planeSlopes(double radius) {
-        plane.begin(radius);
-        ofPlane.plane = plane;
-        metric.slopes(ofPlane);
+        if (!bySlopes || slopes.plane == null || plane.radius() != radius) {
+            takeSlopes(ofPlane, radius);
+        }
         return plane;
+    }
+
+    private void takeSlopes(MetricSlopes to, double planeRadius) {
+        to.plane = planeRadius > 0 ? plane : null;
+        plane.begin(planeRadius);
+        metric.slopes(to);
     }
 
     /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */

@@ -115,6 +115,7 @@ public final class MotionChange {
      */
     public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
                         SofasParameters.Track p) {
+        boolean isPlane = planeRadius(fit.size(), structureRadius, p) > 0;
         radius = structureRadius;
         measurements++;
         boolean settles = measurements < SETTLING;
@@ -135,11 +136,17 @@ public final class MotionChange {
         if (radius > LEAST_RADIUS_PX && (p.rotation() || p.growth())) {
             measureTurnAndGrowth(fit, motion, loss, half, p);
         }
-        if (PlaneChange.mayBe(fit.size(), radius, measurements) && p.rotation() && p.growth()) {
+        if (isPlane) {
             plane.measure(fit, loss.metric, motion, turned, grown, half, radius);
         } else {
             motion.deformation.clear();
         }
+    }
+
+    /** Radius of a structure whose next measurement looks for the deformation of a plane; 0 where it does not. */
+    public double planeRadius(int events, double structureRadius, SofasParameters.Track p) {
+        return p.rotation() && p.growth() && PlaneChange.mayBe(events, structureRadius, measurements + 1)
+            ? structureRadius : 0;
     }
 
     private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,

@@ -80,6 +80,11 @@ final class PlaneSlopes {
         }
     }
 
+    /** Radius of the structure in px. */
+    double radius() {
+        return radius;
+    }
+
     /** Rise of the metric per px/s of a parameter. */
     double rise(int parameter) {
         return rise[parameter];

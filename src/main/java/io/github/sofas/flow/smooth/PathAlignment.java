@@ -85,10 +85,14 @@ final class PathAlignment {
         }
     }
 
-    /** Whether the path goes straight on, so that what was measured over it is right. */
+    /**
+     * Whether the path goes straight on, so that what was measured over it is right; or its picture is deformed, so
+     * that no part has that of another.
+     */
     private boolean isSteady(SegmentPath path, long middleUs) {
         path.at(middleUs, middle);
-        return bendPx(path, fromUs) < STEADY_PX && bendPx(path, untilUs) < STEADY_PX;
+        return !middle.deformation.isNone()
+            || bendPx(path, fromUs) < STEADY_PX && bendPx(path, untilUs) < STEADY_PX;
     }
 
     /** What the change of the velocity from the middle to a time shifts by, in px. */

@@ -237,11 +237,12 @@ final class Measurement {
     }
 
     /** Fits the velocity: by all nine projections, by the slopes of what is steady, or by the five nearest. */
-    private VelocityTop fitVelocity(boolean isSteady, double px, MetricFit fit) {
+    private VelocityTop fitVelocity(boolean isSteady, double px, double radius, MetricFit fit) {
         if (count < LEAST_FULL || count % FULL_EVERY == 0 && (!isSteady || fit.isBroad(px))) {
             return fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
         }
-        return isSteady ? fit.fitSlopes(px, MetricFit.FLAT_SIGMAS) : fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
+        return isSteady ? fit.fitSlopes(px, MetricFit.FLAT_SIGMAS, change.planeRadius(fit.size(), radius, p))
+            : fit.fitCross(0, 0, MetricFit.FLAT_SIGMAS);
     }
 
     /** Notes how far the structure has travelled without being sharp. */
@@ -340,7 +341,7 @@ final class Measurement {
             fit.widen(widen);
         }
         boolean isSteady = lifetimePx > STEADY_LIFETIMES * p.lifetimePx() && !restless;
-        VelocityTop top = fitVelocity(isSteady, px, fit);
+        VelocityTop top = fitVelocity(isSteady, px, radius, fit);
         // in a thinned sample events meet by so much less
         density = top.metric() / fit.size() * live.size() / fit.size();
         loss.take(top);

@@ -45,8 +45,13 @@ public class PathAlignmentTest {
     }
 
     private void knot(long us, double vx) {
+        knot(us, vx, 0);
+    }
+
+    private void knot(long us, double vx, double stretch) {
         Motion motion = new Motion();
         motion.set(us, vx, 0);
+        motion.deformation.stretch = stretch;
         path.add(motion);
     }
 
@@ -86,6 +91,18 @@ public class PathAlignmentTest {
         assertEquals(0, vx(155_000), 8);
         assertEquals(100, vx(100_000), 4);
         assertEquals(-100, vx(220_000), 4);
+    }
+
+    @Test
+    public void pathOfWhatIsDeformedStaysAsItIs() {
+        film(true);
+        knot(0, 100, 0.1);
+        knot(130_000, 100, 0.1);
+        knot(190_000, -100, 0.1);
+        knot(300_000, -100, 0.1);
+        double before = vx(155_000);
+        bendAll();
+        assertEquals(before, vx(155_000), 0);
     }
 
     @Test

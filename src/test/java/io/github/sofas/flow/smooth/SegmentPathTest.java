@@ -36,6 +36,24 @@ public class SegmentPathTest {
     }
 
     @Test
+    public void deformationChangesEvenlyAndIsAveraged() {
+        Motion first = motion(0, 100, 0);
+        first.deformation.stretch = 0.1;
+        Motion second = motion(1_000_000, 100, 100);
+        second.deformation.stretch = 0.3;
+        second.deformation.perspectiveY = 0.004;
+        path.add(first);
+        path.add(second);
+        path.at(750_000, at);
+        assertEquals(0.25, at.deformation.stretch, EXACT);
+        assertEquals(0.003, at.deformation.perspectiveY, EXACT);
+        // over as much before as after, the mean is that of the middle
+        assertEquals(0.2, path.about(500_000, 2).deformation.stretch, 1e-4);
+        path.at(2_000_000, at);
+        assertEquals(0.3, at.deformation.stretch, EXACT);
+    }
+
+    @Test
     public void turnAndGrowthChangeEvenlyAboutWhateverCentresTheyAreGiven() {
         // the second knot tells of the same turning, of 2 and 4 rad/s, about a centre 30 px to the right
         Motion first = motion(0, 0, 0);
