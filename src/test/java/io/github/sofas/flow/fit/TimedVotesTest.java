@@ -64,8 +64,9 @@ public class TimedVotesTest {
     /** Sum over the cells of the votes of one event, times those of another for the cell beside, times a weight. */
     private double meet(int i, int j, int right, int down, ToDoubleFunction<double[]> weight) {
         double sum = 0;
-        for (int row = 1; row < ROWS - 1; row++) {
-            for (int column = 1; column < COLUMNS - 1; column++) {
+        // the four cells that the first has votes for
+        for (int row = y[i] / SUB; row <= y[i] / SUB + 1; row++) {
+            for (int column = x[i] / SUB; column <= x[i] / SUB + 1; column++) {
                 double[] fromCentre = {X0 + column * CELL_PX, Y0 + row * CELL_PX};
                 sum += vote(i, column, row) * vote(j, column + right, row + down) * weight.applyAsDouble(fromCentre);
             }
