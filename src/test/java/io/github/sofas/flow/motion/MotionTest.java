@@ -100,17 +100,21 @@ public class MotionTest {
         assertEquals(-3 + 50 + 20, motion.ay, 1e-9);
     }
 
-    @Test
-    public void movedCentreLeavesTheVelocityOfEveryPointAsItIs() {
-        Motion motion = turningAndGrowing();
-        Motion moved = turningAndGrowing();
-        moved.moveCentre(-13, 71);
+    private static void assertEveryPointMovesAlike(Motion motion, Motion moved) {
         for (int x = 0; x < 100; x += 33) {
             for (int y = 0; y < 100; y += 33) {
                 assertEquals(motion.vxAt(x, y, 1_000_000), moved.vxAt(x, y, 1_000_000), 1e-4);
                 assertEquals(motion.vyAt(x, y, 1_000_000), moved.vyAt(x, y, 1_000_000), 1e-4);
             }
         }
+    }
+
+    @Test
+    public void movedCentreLeavesTheVelocityOfEveryPointAsItIs() {
+        Motion motion = turningAndGrowing();
+        Motion moved = turningAndGrowing();
+        moved.moveCentre(-13, 71);
+        assertEveryPointMovesAlike(motion, moved);
     }
 
     @Test
@@ -123,12 +127,7 @@ public class MotionTest {
         Motion moved = new Motion();
         moved.copyFrom(motion);
         moved.moveCentre(-13, 71);
-        for (int x = 0; x < 100; x += 33) {
-            for (int y = 0; y < 100; y += 33) {
-                assertEquals(motion.vxAt(x, y, 1_000_000), moved.vxAt(x, y, 1_000_000), 1e-4);
-                assertEquals(motion.vyAt(x, y, 1_000_000), moved.vyAt(x, y, 1_000_000), 1e-4);
-            }
-        }
+        assertEveryPointMovesAlike(motion, moved);
     }
 
     @Test
