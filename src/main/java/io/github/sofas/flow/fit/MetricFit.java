@@ -49,7 +49,6 @@ public final class MetricFit {
     private final VelocityTop velocity = new VelocityTop();
     private final MetricSlopes slopes = new MetricSlopes();
     private final PlaneSlopes plane = new PlaneSlopes();
-    private final MetricSlopes ofPlane = new MetricSlopes();
     private final SlopedChange sloped = new SlopedChange(slopes);
     private final ProjectedChange projected;
     /** Whether the velocity was fitted by the slopes last, so that changes are, too. */
@@ -301,7 +300,7 @@ public final class MetricFit {
         if (metric.isCutOff()) {
             return fitCross(0, 0, sigmas);
         }
-        takeSlopes(slopes, planeRadius);
+        takeSlopes(planeRadius);
         bySlopes = true;
         greatest = Math.max(0, slopes.metric);
         look(1, 0, px);
@@ -337,15 +336,15 @@ public final class MetricFit {
      */
     PlaneSlopes planeSlopes(double radius) {
         if (!bySlopes || slopes.plane == null || plane.radius() != radius) {
-            takeSlopes(ofPlane, radius);
+            takeSlopes(radius);
         }
         return plane;
     }
 
-    private void takeSlopes(MetricSlopes to, double planeRadius) {
-        to.plane = planeRadius > 0 ? plane : null;
+    private void takeSlopes(double planeRadius) {
+        slopes.plane = planeRadius > 0 ? plane : null;
         plane.begin(planeRadius);
-        metric.slopes(to);
+        metric.slopes(slopes);
     }
 
     /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */

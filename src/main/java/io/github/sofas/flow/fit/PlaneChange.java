@@ -30,13 +30,13 @@ final class PlaneChange {
     private static final double GAIN_SIGMAS = 0.3;
 
     private static final int FIRST = PlaneSlopes.STRETCH;
-    private static final int LEFT = PlaneSlopes.COUNT - FIRST;
+    private static final int DEFORMING = PlaneSlopes.COUNT - FIRST;
 
     private final LinearSystem system = new LinearSystem(PlaneSlopes.COUNT);
     private final double[] now = new double[PlaneSlopes.COUNT];
     private final double[] step = new double[PlaneSlopes.COUNT];
     /** The deformation as measured, before what may be noise is left out, in px/s at the radius. */
-    private final double[] measured = new double[LEFT];
+    private final double[] measured = new double[DEFORMING];
     private double half;
     private double radius;
 
@@ -47,7 +47,7 @@ final class PlaneChange {
 
     /** Lets go of a part of it where it cannot be measured. */
     void hold(Motion motion, double left) {
-        for (int k = 0; k < LEFT; k++) {
+        for (int k = 0; k < DEFORMING; k++) {
             measured[k] *= left;
         }
         motion.deformation.multiply(left);
@@ -85,7 +85,7 @@ final class PlaneChange {
             most = Math.max(most, Math.abs(step[i]) * half);
         }
         double taken = GAIN * Math.min(1, MOST_PX / Math.max(most, Double.MIN_NORMAL));
-        for (int k = 0; k < LEFT; k++) {
+        for (int k = 0; k < DEFORMING; k++) {
             measured[k] += GAIN * (now[FIRST + k] - measured[k]) + taken * step[FIRST + k];
         }
         // what the metric loses without it, whatever velocity, rotation and growth then are
@@ -95,7 +95,7 @@ final class PlaneChange {
         double growth = motion.growth + believed * (grown + taken * step[PlaneSlopes.GROW] / radius - motion.growth);
         step[PlaneSlopes.TURN] = (omega - turned) * radius;
         step[PlaneSlopes.GROW] = (growth - grown) * radius;
-        for (int k = 0; k < LEFT; k++) {
+        for (int k = 0; k < DEFORMING; k++) {
             step[FIRST + k] = believed * measured[k] - now[FIRST + k];
         }
         followVelocity(slopes, stiffness, believed, motion);

@@ -5,8 +5,7 @@ package io.github.sofas.flow.motion;
  * moves along. Ours beyond the paper's velocity: section Conclusion names acceleration and rotation as where it fails.
  *
  * <p>A point at r from the centre has the velocity v + omega x r + growth r, and what the {@link Deformation} adds. But
- * for that, seen from a reference time t0, with
- * dt = t - t0, an event at u of time t was or will be at
+ * for that, seen from a reference time t0, with dt = t - t0, an event at u of time t was or will be at
  * exp(-growth dt - growthChange dt²/2) R(-omega dt - alpha dt²/2) (u - c - v dt - a dt²/2) + c
  * ({@link SteppedProjection}).
  */
@@ -133,7 +132,10 @@ public final class Motion {
             * farthest + deformation.mostSpeed(farthest);
     }
 
-    /** Speed in px/s, root of the mean square over points whose distance from the centre has that of radius. */
+    /**
+     * Speed in px/s, root of the mean square over points whose distance from the centre has that of radius, but for
+     * what perspective adds.
+     */
     public double speed(double radius) {
         return Math.sqrt(vx * vx + vy * vy
             + (omega * omega + growth * growth + deformation.square()) * radius * radius);
@@ -141,7 +143,8 @@ public final class Motion {
 
     /**
      * Speed in px/s at which what moves like this leaves what moves like another motion of the same time, root of the
-     * mean square over points whose distance from the centre of this one has that of radius.
+     * mean square over points whose distance from the centre of this one has that of radius; but for deformation, which
+     * no contour follows.
      */
     public double speedFrom(Motion other, double radius) {
         double rx = centreX - other.centreX;

@@ -76,7 +76,7 @@ final class PathAlignment {
     void bend(SegmentPath path, List<Slice> slices, Slice slice, long sliceUs) {
         fromUs = Math.max(slice.fromUs - SIDE_SLICES * sliceUs, Math.min(path.firstSeenUs(), slice.fromUs));
         untilUs = slice.untilUs + SIDE_SLICES * sliceUs;
-        if (sliceUs < LEAST_SLICE_US || isSteady(path, slice.middleUs())) {
+        if (sliceUs < LEAST_SLICE_US || isKept(path, slice.middleUs())) {
             return;
         }
         projection.begin(path, slice.middleUs(), fromUs, (double) STEPS / (untilUs - fromUs), STEPS);
@@ -89,7 +89,7 @@ final class PathAlignment {
      * Whether the path goes straight on, so that what was measured over it is right; or its picture is deformed, so
      * that no part has that of another.
      */
-    private boolean isSteady(SegmentPath path, long middleUs) {
+    private boolean isKept(SegmentPath path, long middleUs) {
         path.at(middleUs, middle);
         return !middle.deformation.isNone()
             || bendPx(path, fromUs) < STEADY_PX && bendPx(path, untilUs) < STEADY_PX;

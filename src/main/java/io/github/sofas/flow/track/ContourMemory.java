@@ -80,7 +80,7 @@ final class ContourMemory {
         toXy = 0;
         toYx = 0;
         toYy = 1;
-        isShiftedOnly = now.omega == 0 && now.growth == 0 && now.deformation.isNone();
+        isShiftedOnly = shiftsOnly(now);
         epochUs = now.referenceUs;
         minX = Integer.MAX_VALUE;
         minY = Integer.MAX_VALUE;
@@ -113,9 +113,13 @@ final class ContourMemory {
         goOn(now, memoryUs);
     }
 
+    private static boolean shiftsOnly(Motion now) {
+        return now.omega == 0 && now.growth == 0 && now.deformation.isNone();
+    }
+
     private void goOn(Motion now, long memoryUs) {
         motion.copyFrom(now);
-        isShiftedOnly &= now.omega == 0 && now.growth == 0 && now.deformation.isNone();
+        isShiftedOnly &= shiftsOnly(now);
         memoryTicks = (int) Math.min(memoryUs >> TICK_BITS, LAST_TICK / 2);
         if (now.referenceUs - epochUs >> TICK_BITS > LAST_TICK) {
             Arrays.fill(seen, NEVER);
