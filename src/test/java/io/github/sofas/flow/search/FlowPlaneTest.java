@@ -32,6 +32,8 @@ public class FlowPlaneTest {
         private final SofasParameters p;
         private final FlowPlane fast;
         private final List<Event> events = new ArrayList<>();
+        /** Cells of the events by projection and number, which exact numbers take long to work out. */
+        private final Map<Long, Cell> cells = new HashMap<>();
         /** Rings that each event was taken out of. */
         private final List<Set<Integer>> taken = new ArrayList<>();
         // by ring: how many events it has taken in, and when
@@ -89,6 +91,10 @@ public class FlowPlaneTest {
         }
 
         /** Cell of 2 x 2 px, of time in ticks of a power of two µs that travel 1/512 to 1/256 px. */
+        private Cell cell(int k, int event) {
+            return cells.computeIfAbsent((long) k << 32 | event, key -> cell(k, events.get(event)));
+        }
+
         private Cell cell(int k, Event e) {
             double pxPerUs = fast.projections().speed(k / p.search().flowProjections()) / 1e6;
             int bits = 0;
@@ -115,7 +121,7 @@ public class FlowPlaneTest {
                     Map<Cell, Integer> f = new HashMap<>();
                     Map<Cell, Integer> place = new HashMap<>();
                     for (int i : held) {
-                        Cell cell = cell(k, events.get(i));
+                        Cell cell = cell(k, i);
                         f.merge(cell, events.get(i).polarity(), Integer::sum);
                         place.putIfAbsent(cell, fast.cell(k, i));
                         assertEquals("cell of event " + i, place.get(cell), (Integer) fast.cell(k, i));
