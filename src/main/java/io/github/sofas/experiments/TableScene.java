@@ -25,7 +25,8 @@ record TableScene(String name, Scene scene, SimulationOptions options) {
                 PLAIN.withSpeedPxPerS(speed)));
         }
         Stream.of(Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND, Scene.TEXTURED_TURN,
-                Scene.TEXTURED_SLANT, Scene.POSTER, Scene.COMING_NEAR, Scene.TEXTURED_MOVERS, Scene.FLICKER)
+                Scene.TEXTURED_SLANT, Scene.POSTER, Scene.COMING_NEAR, Scene.GOING_AWAY, Scene.TEXTURED_MOVERS,
+                Scene.FLICKER)
             .forEach(scene -> textured.add(new TableScene(scene.sceneName(), scene, PLAIN)));
         return textured;
     }

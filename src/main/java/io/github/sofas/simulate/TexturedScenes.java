@@ -1,6 +1,7 @@
 package io.github.sofas.simulate;
 
 import io.github.sofas.simulate.Trajectory.Approach;
+import io.github.sofas.simulate.Trajectory.Backwards;
 import io.github.sofas.simulate.Trajectory.Sway;
 import io.github.sofas.simulate.Scenes.Heading;
 import io.github.sofas.simulate.Shape.Box;
@@ -97,6 +98,14 @@ final class TexturedScenes {
 
     /** The speed is that of the outline at the end. */
     static World comingNear(SimulationOptions options) {
+        return nearAndFar(options, false);
+    }
+
+    static World goingAway(SimulationOptions options) {
+        return nearAndFar(options, true);
+    }
+
+    private static World nearAndFar(SimulationOptions options, boolean goesAway) {
         double radius = 34 * options.scale();
         double startScale = 0.45;
         double endScale = 1.6;
@@ -107,9 +116,10 @@ final class TexturedScenes {
         double endS = ownS * ownSpeed / Scenes.speed(options, ownSpeed);
         double durationS = Math.min(endS, Scenes.duration(options, endS));
         Heading heading = new Heading(options);
-        Approach trajectory = new Approach(Scenes.centreX(options), Scenes.centreY(options),
+        Approach approach = new Approach(Scenes.centreX(options), Scenes.centreY(options),
                 heading.x(12 * options.scale(), 0), heading.y(12 * options.scale(), 0), heading.angleRad, startScale,
                 contactShare * endS, durationS);
+        Trajectory trajectory = goesAway ? new Backwards(approach, durationS) : approach;
         return new World(List.of(new MovingObject(1, new RegularPolygon(5, radius), trajectory,
                 Scenes.dark(options, 1))), durationS);
     }

@@ -205,6 +205,28 @@ interface Trajectory {
         }
     }
 
+    /** The same way backwards: at time 0 it is where the other is at durationS. */
+    record Backwards(Trajectory way, double durationS) implements Trajectory {
+        @Override
+        public void poseAt(double timeS, Pose pose) {
+            way.poseAt(durationS - timeS, pose);
+            pose.vxPxPerS = -pose.vxPxPerS;
+            pose.vyPxPerS = -pose.vyPxPerS;
+            pose.turnRadPerS = -pose.turnRadPerS;
+            pose.growthPerS = -pose.growthPerS;
+        }
+
+        @Override
+        public double maxSpeedPxPerS(double distancePx) {
+            return way.maxSpeedPxPerS(distancePx);
+        }
+
+        @Override
+        public double maxScale() {
+            return way.maxScale();
+        }
+    }
+
     /**
      * Along a line, turning at a constant rate. The origin is at (atX, atY) at time atS.
      *

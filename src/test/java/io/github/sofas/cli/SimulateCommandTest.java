@@ -90,8 +90,8 @@ public class SimulateCommandTest {
         assertUsage("unknown scene \"heptagon\"; known are rectangles, hexagon, large-circle, small-circle, pendulum, "
             + "short-bar, long-bar, two-opposite, three-crossing, four-bars, passing-behind, side-by-side, "
             + "three-wandering, swinging-ball, wandering-discs, sixteen, textured-pan, textured-roll, textured-zoom, "
-            + "textured-hand, textured-turn, textured-slant, poster, coming-near, textured-movers, flicker, random, "
-            + "noise", "heptagon");
+            + "textured-hand, textured-turn, textured-slant, poster, coming-near, going-away, textured-movers, "
+            + "flicker, random, noise", "heptagon");
     }
 
     @Test

@@ -178,6 +178,13 @@ public class AccuracyTest {
     }
 
     @Test
+    public void whatComesNearOrGoesAwayIsOneSegment() {
+        // found as edges or corners, each of which moves straight
+        assertReaches(Scene.COMING_NEAR, PLAIN.withScale(1.5).withDirectionDeg(52), 4.67, 2.01, 17.67, 15.08);
+        assertReaches(Scene.GOING_AWAY, PLAIN, 12.65, 0.00, 3.54, 2.60);
+    }
+
+    @Test
     public void edgesThatAreAllButParallelAreNotTakenForOneThatSlidesAlongThem() {
         assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(67), 8.68, 0.84, 13.40, 16.84);
         assertReaches(Scene.FOUR_BARS, PLAIN.withDirectionDeg(307), 5.85, 1.02, 13.39, 21.00);

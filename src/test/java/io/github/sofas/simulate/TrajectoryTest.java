@@ -33,6 +33,21 @@ public class TrajectoryTest {
     }
 
     @Test
+    public void wayBackHasTheSamePlacesAndSizesAtRatesOfTheOtherSign() {
+        // reached after 4 s: after 2 s twice as large as at first, growing by 0.5 1/s; 10 px off at size 1
+        Trajectory near = new Trajectory.Approach(100, 50, 10, 0, 0, 1, 4, 3);
+        near.poseAt(2, pose);
+        assertEquals(2, pose.scale, 1e-12);
+        assertEquals(0.5, pose.growthPerS, 1e-12);
+        new Trajectory.Backwards(near, 3).poseAt(1, pose);
+        assertEquals(2, pose.scale, 1e-12);
+        assertEquals(-0.5, pose.growthPerS, 1e-12);
+        assertEquals(120, pose.x, 1e-12);
+        assertEquals(-10, pose.vxPxPerS, 1e-12);
+        assertEquals(-10 - 5, pose.vxAt(130, 50), 1e-12);
+    }
+
+    @Test
     public void cameraThatTurnsSeesTheBordersMoveFaster() {
         // 0.5 rad/s in the middle of the time, with a focal length of 200 px: 100 (1 + x²/f²) and 100 x y / f² px/s
         new CameraPath(200, 120, 90, 1, 0, 100, true, 0, 0, 0, 2).poseAt(1, pose);

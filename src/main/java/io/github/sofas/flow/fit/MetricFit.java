@@ -359,9 +359,13 @@ public final class MetricFit {
      * @param perPx rotation and growth that shift the ends of the window by a pixel where the structure ends
      */
     public void stepTurnAndGrowth(Motion motion, double perPx) {
-        ChangeFit beside = projected.around(metric());
-        motion.omega += beside.rotation(perPx * ChangeFit.APART_PX).step();
-        motion.growth += beside.growth(perPx * ChangeFit.APART_PX).step();
+        motion.omega += projected.around(metric()).rotation(perPx * ChangeFit.APART_PX).step();
+        stepGrowth(motion, perPx);
+    }
+
+    /** The same towards the growth alone. */
+    public void stepGrowth(Motion motion, double perPx) {
+        motion.growth += projected.around(metric()).growth(perPx * ChangeFit.APART_PX).step();
     }
 
     /** Adds up how the picture of the events changes; the structure has so many px of radius. */

@@ -14,6 +14,8 @@ final class LiveEvents {
     static final int CAPACITY = 1 << 15;
     /** Bytes of its arrays. */
     static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES);
+    /** Mean polarity beyond which most events have one: all events of an edge do, but for noise. */
+    private static final double LEAST_MEAN_POLARITY = 0.6;
     private static final int MASK = CAPACITY - 1;
     private static final Claim[] CLAIMS = Claim.values();
     /** Part of the events that must stay, and that must go, for the tiles to be halved. */
@@ -54,9 +56,9 @@ final class LiveEvents {
         return 1 << halvings;
     }
 
-    /** Mean polarity: 1 where all are ON, -1 where all are OFF. */
-    double meanPolarity() {
-        return size == 0 ? 0 : (double) signs / size;
+    /** The polarity, 1 or -1, that four fifths or more of them have; 0 where there is none. */
+    int commonPolarity() {
+        return Math.abs(signs) > LEAST_MEAN_POLARITY * size ? Integer.signum(signs) : 0;
     }
 
     /** How many events the structure gave, those of tiles that were not taken included. */

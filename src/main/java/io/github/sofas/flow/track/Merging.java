@@ -42,8 +42,11 @@ final class Merging {
      * than that they go on alike.
      */
     private static final double CHANGE_S = 0.2;
-    /** Mean polarity that an edge has at least: a whole body has edges of either polarity. */
-    private static final double LEAST_POLARITY = 0.6;
+    /**
+     * Travel that parts of what grows or shrinks must both have been tracked for: the sides of what comes near are
+     * slow.
+     */
+    private static final double GROWING_TRAVEL_PX = 2;
 
     /** By what two planes are one. */
     enum Bond {
@@ -66,19 +69,12 @@ final class Merging {
             return false;
         }
         boolean touch = a.contour().isWithin(GAP_PX, b.contour(), nowUs);
-        bond = !touch && areOfOppositePolarity(a, b) ? Bond.EDGES : Bond.MOTION;
+        bond = !touch && a.commonPolarity() * b.commonPolarity() < 0 ? Bond.EDGES : Bond.MOTION;
         if (touch || areNear(a, b, nowUs)) {
             return shareMotion(a, b, touch, nowUs) || touch && areOneBody(a, b, fit, nowUs);
         }
         bond = Bond.MOTION;
         return haveGoneTogether(a, b, nowUs);
-    }
-
-    /** Whether the one gets mostly ON events and the other mostly OFF events. */
-    private static boolean areOfOppositePolarity(TrackPlane a, TrackPlane b) {
-        double its = a.meanPolarity();
-        double others = b.meanPolarity();
-        return Math.max(its, others) > LEAST_POLARITY && Math.min(its, others) < -LEAST_POLARITY;
     }
 
     /** Whether planes that do not touch may merge by where they are, and by how far they have travelled. */
@@ -112,14 +108,20 @@ final class Merging {
         TrackPlane younger = a.id() > b.id() ? a : b;
         TrackPlane older = younger == a ? b : a;
         OtherPart part = younger.otherPart();
-        if (Math.min(a.travelPx(nowUs), b.travelPx(nowUs)) < EDGES_TRAVEL_PX
+        double travelPx = Math.min(a.travelPx(nowUs), b.travelPx(nowUs));
+        boolean mayGrow = a.commonPolarity() * b.commonPolarity() > 0;
+        if (travelPx < (mayGrow ? GROWING_TRAVEL_PX : EDGES_TRAVEL_PX)
                 || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
             return false;
         }
         boolean areKnown = a.live().thinning() == 1 && b.live().thinning() == 1;
-        double gained = areKnown ? body.sigmasGained(older.live(), older.motion(), younger.live(), younger.motion(),
-            Math.max(a.contour().radius(), b.contour().radius()), fit) : OneBody.NOTHING;
-        if (!part.note(older.id(), gained, nowUs)) {
+        if (areKnown) {
+            body.take(older.live(), older.motion(), younger.live(), younger.motion(),
+                Math.max(a.contour().radius(), b.contour().radius()));
+        }
+        boolean grows = areKnown && mayGrow && body.growsOrShrinks(fit);
+        boolean isTold = areKnown && !grows && travelPx >= EDGES_TRAVEL_PX;
+        if (!grows && !part.note(older.id(), isTold ? body.sigmasGained(fit) : OneBody.NOTHING, nowUs)) {
             return false;
         }
         bond = Bond.BODY;

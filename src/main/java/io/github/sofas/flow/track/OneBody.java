@@ -11,6 +11,10 @@ import io.github.sofas.flow.motion.SteppedProjection;
  * <p>Ours, because the ends of what turns or grows are found at two velocities, and a round or straight end shows
  * neither rotation nor growth. Some rotation and growth explain any two velocities, but two bodies that do neither lose
  * by them. The reverse of {@link TwoBodies}.
+ *
+ * <p>The straight or round sides of what comes near lose nothing by velocities of their own. But they all cover what is
+ * behind them, so that they give events of one polarity, and go apart; of what goes away they uncover it, and go
+ * together. Bodies that move on give events of either polarity, because they uncover behind them what they cover.
  */
 final class OneBody {
     /** What one motion gains where it cannot be told, or clearly loses. */
@@ -24,28 +28,35 @@ final class OneBody {
     private static final double MOST_TURN = 0.5;
     /** Share of the metric of both that the motion has which their velocities ask for: most two bodies have less. */
     private static final double LEAST_SHARE = 0.8;
+    /** Fewest live events of either part of what grows or shrinks. */
+    private static final int LEAST_GROWING_EVENTS = 100;
+    /** Growths that it is started with, of that which the two velocities ask for. */
+    private static final double[] GROWING_SHARES = {1, 0.8, 0.64, 0.5};
+    /** Standard deviations that it may lose by one motion: its sides, straight or round, gain nothing. */
+    private static final double MOST_LOST_SIGMAS = 1;
+    /** Velocity at which its parts go apart at least, of that at which they go on. */
+    private static final double LEAST_SPREAD = 0.5;
     /** How often that motion is improved. */
     private static final int ROUNDS = 2;
     /** Events are projected in steps of this part of a pixel. */
     private static final double STEP_PX = 1.0 / 32;
 
     private final Motion motion = new Motion();
+    private final Motion best = new Motion();
     private final SteppedProjection stepped = new SteppedProjection();
     private final OwnVelocity own = new OwnVelocity();
 
-    /** A part with its motion in the middle of the window. */
+    /** A part, and its motion in the middle of the window, as it is asked about. */
     private static final class Part {
         private final Motion motion = new Motion();
         private LiveEvents live;
-
-        void take(LiveEvents events, Motion its) {
-            live = events;
-            motion.copyFrom(its);
-        }
+        private Motion its;
     }
 
     private final Part one = new Part();
     private final Part other = new Part();
+    /** Of the larger one, in px. */
+    private double radius;
     // the window that both have in common: its beginning, and half of it in s
     private long fromUs;
     private double half;
@@ -54,31 +65,92 @@ final class OneBody {
     private double reach;
 
     /**
-     * Asks it of two structures, of all tiles.
+     * Takes two structures, of all tiles, to ask it of.
      *
-     * @param radius of the larger structure in px
-     * @return what the metric of their events gains by one motion, in standard deviations, or {@link #NOTHING}
+     * @param radiusPx of the larger structure
      */
-    double sigmasGained(LiveEvents ones, Motion ofOne, LiveEvents others, Motion ofOther, double radius,
-                        MetricFit fit) {
-        if (Math.min(ones.size(), others.size()) < LEAST_EVENTS || ones.size() + others.size() > fit.capacity()) {
-            return NOTHING;
-        }
-        one.take(ones, ofOne);
-        other.take(others, ofOther);
-        begin(radius);
-        if (!isTold()) {
+    void take(LiveEvents ones, Motion ofOne, LiveEvents others, Motion ofOther, double radiusPx) {
+        one.live = ones;
+        one.its = ofOne;
+        other.live = others;
+        other.its = ofOther;
+        radius = radiusPx;
+    }
+
+    /** What the metric of their events gains by one motion, in standard deviations, or {@link #NOTHING}. */
+    double sigmasGained(MetricFit fit) {
+        if (!begin(LEAST_EVENTS, fit) || !isTold()) {
             return NOTHING;
         }
         double separately = separately(fit);
         together(fit);
-        if (fit.size() < 2 * LEAST_EVENTS || fit.metric() < LEAST_SHARE * separately) {
-            return NOTHING;
+        return isWorse(separately, fit) ? NOTHING : gained(true, fit);
+    }
+
+    /**
+     * Whether two structures that give events of the same polarity grow or shrink as one body: their events meet as
+     * often along one motion that does not turn, and the two go apart, or together, at half of its velocity or more.
+     */
+    boolean growsOrShrinks(MetricFit fit) {
+        if (!begin(LEAST_GROWING_EVENTS, fit)) {
+            return false;
         }
+        motion.omega = 0;
+        if (!isTold()) {
+            return false;
+        }
+        double separately = separately(fit);
+        startGrowing(fit);
+        return !isWorse(separately, fit) && gained(false, fit) > -MOST_LOST_SIGMAS
+            && Math.abs(motion.growth) * apart > LEAST_SPREAD * Math.hypot(motion.vx, motion.vy);
+    }
+
+    /**
+     * Starts with the growth that is best of those that the two velocities may ask for. That of a corner, which its two
+     * edges show, is that of its tip, farther out than its middle.
+     */
+    private void startGrowing(MetricFit fit) {
+        double vx = motion.vx;
+        double vy = motion.vy;
+        double asked = motion.growth;
+        double most = Double.NEGATIVE_INFINITY;
+        for (double share : GROWING_SHARES) {
+            motion.vx = vx;
+            motion.vy = vy;
+            motion.growth = share * asked;
+            together(fit);
+            improve(motion, fit);
+            together(fit);
+            if (fit.metric() > most) {
+                most = fit.metric();
+                best.copyFrom(motion);
+            }
+        }
+        motion.copyFrom(best);
+        together(fit);
+    }
+
+    /** Whether the events that are loaded along the one motion are too few, or meet much less often by it. */
+    private boolean isWorse(double separately, MetricFit fit) {
+        return fit.size() < 2 * LEAST_EVENTS || fit.metric() < LEAST_SHARE * separately;
+    }
+
+    /**
+     * What the metric gains by the one motion, once that and the velocities of both are improved.
+     *
+     * @param turns whether it may turn
+     * @param fit has the events of both along it
+     */
+    private double gained(boolean turns, MetricFit fit) {
         for (int round = 0; round < ROUNDS; round++) {
             improve(motion, fit);
             together(fit);
-            fit.stepTurnAndGrowth(motion, 2 / (half * reach));
+            double perPx = 2 / (half * reach);
+            if (turns) {
+                fit.stepTurnAndGrowth(motion, perPx);
+            } else {
+                fit.stepGrowth(motion, perPx);
+            }
             if (!isTold()) {
                 return NOTHING;
             }
@@ -95,8 +167,17 @@ final class OneBody {
         return motion;
     }
 
-    /** Begins with the rotation and the growth that the two velocities ask for. */
-    private void begin(double radius) {
+    /**
+     * Begins with the rotation and the growth that the two velocities ask for; returns whether there are events enough,
+     * and not more than can be measured.
+     */
+    private boolean begin(int leastEvents, MetricFit fit) {
+        if (Math.min(one.live.size(), other.live.size()) < leastEvents
+                || one.live.size() + other.live.size() > fit.capacity()) {
+            return false;
+        }
+        one.motion.copyFrom(one.its);
+        other.motion.copyFrom(other.its);
         fromUs = Math.max(one.live.oldestUs(), other.live.oldestUs());
         half = (Math.max(one.live.newestUs(), other.live.newestUs()) - fromUs) * 0.5e-6;
         long middleUs = fromUs + Math.round(half * 1e6);
@@ -121,6 +202,7 @@ final class OneBody {
             motion.omega = (x * vy - y * vx) / square;
             motion.growth = (x * vx + y * vy) / square;
         }
+        return true;
     }
 
     private static double mean(double a, double b, double shareOfB) {

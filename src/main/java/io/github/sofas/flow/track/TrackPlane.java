@@ -169,9 +169,9 @@ public final class TrackPlane {
         return recentring.live().given();
     }
 
-    /** Mean polarity of its live events, -1 to 1: an edge of a body has all of one, but for noise. */
-    double meanPolarity() {
-        return recentring.live().meanPolarity();
+    /** The polarity that all of its live events have but for noise, as those of an edge; 0 where there is none. */
+    int commonPolarity() {
+        return recentring.live().commonPolarity();
     }
 
     /** Speed of its contour in px/s, root of the mean square. */

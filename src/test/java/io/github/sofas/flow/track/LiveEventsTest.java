@@ -246,29 +246,29 @@ public class LiveEventsTest {
     }
 
     @Test
-    public void meanPolarityIsThatOfTheEventsThatAreLeft() {
-        assertEquals(0, live.meanPolarity(), 0);
-        for (int i = 0; i < 8; i++) {
-            live.add(0, 0, i, i < 6 ? 1 : -1, Claim.OWN, i);
+    public void commonPolarityIsThatOfMoreThanFourFifthsOfTheEventsThatAreLeft() {
+        assertEquals(0, live.commonPolarity());
+        for (int i = 0; i < 11; i++) {
+            live.add(0, 0, i, i < 9 ? 1 : -1, Claim.OWN, i);
         }
-        assertEquals((6 - 2) / 8.0, live.meanPolarity(), 0);
-        live.expire(4);
-        assertEquals(0, live.meanPolarity(), 0);
+        assertEquals(1, live.commonPolarity());
+        live.expire(1);
+        assertEquals("eight of ten", 0, live.commonPolarity());
         live.keepIf(i -> live.sign[i] < 0);
-        assertEquals(-1, live.meanPolarity(), 0);
+        assertEquals(-1, live.commonPolarity());
         LiveEvents both = new LiveEvents();
         both.fillFrom(live, live);
-        assertEquals(-1, both.meanPolarity(), 0);
+        assertEquals(-1, both.commonPolarity());
         live.clear();
-        assertEquals(0, live.meanPolarity(), 0);
+        assertEquals(0, live.commonPolarity());
     }
 
     @Test
-    public void meanPolarityIsThatOfTheTilesThatAreLeft() {
+    public void commonPolarityIsThatOfTheTilesThatAreLeft() {
         for (int i = 0; i <= LiveEvents.CAPACITY; i++) {
             live.add(0, 0, i, i % 2 == 0 ? 1 : -1, Claim.OWN, i % 16);
         }
         assertEquals(2, live.thinning());
-        assertEquals(1, live.meanPolarity(), 0);
+        assertEquals(1, live.commonPolarity());
     }
 }

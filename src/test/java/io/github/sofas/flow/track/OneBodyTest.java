@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.fit.MetricFit;
@@ -30,13 +31,17 @@ public class OneBodyTest {
     /** Dots of a square that moves by itself, and turns and grows about the middle of both. */
     private static void move(LiveEvents live, double side, double vx, double vy, double omega, double growth) {
         Random random = new Random(1);
-        int dots = 90;
-        double[][] places = new double[dots][];
-        int[] column = new int[dots];
-        int[] row = new int[dots];
-        for (int dot = 0; dot < dots; dot++) {
+        double[][] places = new double[90][];
+        for (int dot = 0; dot < places.length; dot++) {
             places[dot] = new double[] {side + SIDE * random.nextDouble(), SIDE * (random.nextDouble() - 0.5)};
         }
+        move(live, places, vx, vy, omega, growth);
+    }
+
+    private static void move(LiveEvents live, double[][] places, double vx, double vy, double omega, double growth) {
+        int dots = places.length;
+        int[] column = new int[dots];
+        int[] row = new int[dots];
         for (long t = 0; t < END_US; t += 50) {
             double s = t * 1e-6 - HALF_S;
             double scale = Math.exp(growth * s);
@@ -62,7 +67,8 @@ public class OneBodyTest {
         ofRight.set(END_US / 2, rightVx, rightVy);
         ofRight.centreX = MIDDLE_X + SIDE / 2;
         ofRight.centreY = MIDDLE_Y;
-        return body.sigmasGained(left, ofLeft, right, ofRight, SIDE, fit);
+        body.take(left, ofLeft, right, ofRight, SIDE);
+        return body.sigmasGained(fit);
     }
 
     private double gainedTurning(double omega, double growth) {
@@ -122,7 +128,8 @@ public class OneBodyTest {
         ofLeft.centreX = MIDDLE_X;
         ofRight.centreX = MIDDLE_X + 0.1;
         // 120 rad/s
-        assertEquals(OneBody.NOTHING, body.sigmasGained(left, ofLeft, right, ofRight, SIDE, fit), 0);
+        body.take(left, ofLeft, right, ofRight, SIDE);
+        assertEquals(OneBody.NOTHING, body.sigmasGained(fit), 0);
     }
 
     @Test
@@ -134,5 +141,65 @@ public class OneBodyTest {
         }
         left.keepNewest(60);
         assertEquals(OneBody.NOTHING, gained(VX, -12, VX, 12), 0);
+    }
+
+    /**
+     * Two sides of a square of 48 px that meet in a corner, the upper left or the lower right one; an edge fires where
+     * it enters a pixel, whatever comes along it.
+     */
+    private static void moveCorner(LiveEvents live, Motion its, int sign, double vx, double growth) {
+        for (long t = 50; t < END_US; t += 50) {
+            double s = t * 1e-6 - HALF_S;
+            double middleX = MIDDLE_X + vx * s;
+            double now = sign * SIDE * Math.exp(growth * s);
+            double before = sign * SIDE * Math.exp(growth * (s - 50e-6));
+            int column = (int) Math.floor(middleX + now);
+            int row = (int) Math.floor(MIDDLE_Y + now);
+            boolean entersColumn = column != (int) Math.floor(middleX - vx * 50e-6 + before);
+            boolean entersRow = row != (int) Math.floor(MIDDLE_Y + before);
+            for (int along = 0; along < 2 * SIDE; along++) {
+                if (entersColumn) {
+                    live.add(column, row - sign * along, t, 1, Claim.OWN, 0);
+                }
+                if (entersRow) {
+                    live.add(column - sign * along, row, t, 1, Claim.OWN, 0);
+                }
+            }
+        }
+        // the velocity of the tip, taken for that of the middle of both edges, half a side from the tip along each
+        its.set(END_US / 2, vx + sign * growth * SIDE, sign * growth * SIDE);
+        its.centreX = MIDDLE_X + sign * SIDE / 2;
+        its.centreY = MIDDLE_Y + sign * SIDE / 2;
+    }
+
+    private boolean growsOrShrinks(double vx, double growth) {
+        moveCorner(left, ofLeft, -1, vx, growth);
+        moveCorner(right, ofRight, 1, vx, growth);
+        body.take(left, ofLeft, right, ofRight, SIDE);
+        return body.growsOrShrinks(fit);
+    }
+
+    @Test
+    public void cornersThatGoApartOrTogetherAreOneBodyThatGrowsOrShrinks() {
+        assertTrue(growsOrShrinks(20, 2));
+        assertEquals(0, body.motion().omega, 0);
+        assertEquals(2, body.motion().growth, 0.1);
+        assertEquals(20, body.motion().vxAt((int) MIDDLE_X, (int) MIDDLE_Y, END_US / 2), 2);
+        left.clear();
+        right.clear();
+        assertTrue(growsOrShrinks(20, -2));
+        assertEquals(-2, body.motion().growth, 0.1);
+    }
+
+    @Test
+    public void cornersThatGoOnFasterThanApartAreNotKnownToGrow() {
+        // the middles, 34 px from each other, go apart at 68 px/s, which is less than half of 150
+        assertFalse(growsOrShrinks(150, 2));
+    }
+
+    @Test
+    public void whatGrowsLittleIsNotTold() {
+        // 0.7 px would be 0.41 1/s at 17 px from the middle in 100 ms
+        assertFalse(growsOrShrinks(0, 0.2));
     }
 }
