@@ -33,9 +33,11 @@ final class OneBody {
     /** Growths that it is started with, of that which the two velocities ask for. */
     private static final double[] GROWING_SHARES = {1, 0.8, 0.64, 0.5};
     /** Standard deviations that it may lose by one motion: its sides, straight or round, gain nothing. */
-    private static final double MOST_LOST_SIGMAS = 1;
+    private static final double MOST_LOST_SIGMAS = 2;
     /** Velocity at which its parts go apart at least, of that at which they go on. */
     private static final double LEAST_SPREAD = 0.5;
+    /** Growth per s that is too fast to be one body's: what grows so is 0.4 s before the camera. */
+    private static final double MOST_GROWTH_PER_S = 2.5;
     /** How often that motion is improved. */
     private static final int ROUNDS = 2;
     /** Events are projected in steps of this part of a pixel. */
@@ -102,6 +104,7 @@ final class OneBody {
         double separately = separately(fit);
         startGrowing(fit);
         return !isWorse(separately, fit) && gained(false, fit) > -MOST_LOST_SIGMAS
+            && Math.abs(motion.growth) < MOST_GROWTH_PER_S
             && Math.abs(motion.growth) * apart > LEAST_SPREAD * Math.hypot(motion.vx, motion.vy);
     }
 

@@ -198,6 +198,11 @@ public class OneBodyTest {
     }
 
     @Test
+    public void cornersThatGoApartAsNothingGrowsAreNotKnownToGrow() {
+        assertFalse(growsOrShrinks(20, 3));
+    }
+
+    @Test
     public void whatGrowsLittleIsNotTold() {
         // 0.7 px would be 0.41 1/s at 17 px from the middle in 100 ms
         assertFalse(growsOrShrinks(0, 0.2));
