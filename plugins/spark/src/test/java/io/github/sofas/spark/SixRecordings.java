@@ -9,19 +9,28 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.rules.TemporaryFolder;
+import org.junit.rules.Timeout;
+import org.junit.runner.Description;
+import org.junit.runners.model.Statement;
 
 /**
- * A folder with six recordings, {@code edge-0.aedat} to {@code edge-5.aedat}, and room for what a batch of them makes.
+ * A folder with six recordings, {@code edge-0.aedat} to {@code edge-5.aedat}, and room for what a batch of them makes;
+ * a test that does not end fails.
  */
 public final class SixRecordings extends TemporaryFolder {
     /** Events of the first; each other has 5,000 more than the one before. */
     static final int EVENTS = 20_000;
 
     /** For processes that never end; each test takes some seconds on a machine that has nothing else to do. */
-    static final int LONGEST_S = 600;
+    private static final int LONGEST_S = 600;
 
     private Path root;
     private Path recordings;
+
+    @Override
+    public Statement apply(Statement test, Description description) {
+        return super.apply(Timeout.seconds(LONGEST_S).apply(test, description), description);
+    }
 
     @Override
     protected void before() throws Throwable {

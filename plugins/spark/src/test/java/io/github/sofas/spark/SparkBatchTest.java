@@ -14,15 +14,11 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.Timeout;
 
 /** Batches on an embedded Spark, against the command {@code run}. */
 public class SparkBatchTest {
     @Rule
     public final SixRecordings six = new SixRecordings();
-
-    @Rule
-    public final Timeout timeout = Timeout.seconds(SixRecordings.LONGEST_S);
 
     @Test
     public void givesTheSameBytesAsRun() throws Exception {

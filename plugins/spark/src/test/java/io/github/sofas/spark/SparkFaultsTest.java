@@ -16,15 +16,11 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.Timeout;
 
 /** Batches with recordings that fail, and batches that are stopped or find no room, on an embedded Spark. */
 public class SparkFaultsTest {
     @Rule
     public final SixRecordings six = new SixRecordings();
-
-    @Rule
-    public final Timeout timeout = Timeout.seconds(SixRecordings.LONGEST_S);
 
     @Test
     public void whatFailsIsARowWithItsMessage() throws Exception {

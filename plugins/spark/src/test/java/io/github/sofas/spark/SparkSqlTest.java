@@ -17,15 +17,11 @@ import org.apache.spark.sql.Row;
 import org.apache.spark.sql.SparkSession;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.Timeout;
 
 /** What Spark reads of the events that a batch writes. */
 public class SparkSqlTest {
     @Rule
     public final SixRecordings six = new SixRecordings();
-
-    @Rule
-    public final Timeout timeout = Timeout.seconds(SixRecordings.LONGEST_S);
 
     @Test
     public void allEventsAreOneDataSet() throws Exception {
