@@ -71,7 +71,7 @@ public enum Scene {
     COMING_NEAR("coming-near", "a plain shape that comes near: its size grows from 0.45 to 1.6 in 2.8 s",
             TexturedScenes::comingNear),
     /** A plain shape that shrinks away from the camera, the way back of {@link #COMING_NEAR}. */
-    GOING_AWAY("going-away", "the same shape going away again: its size falls from 1.6 to 0.45 in 2.8 s",
+    GOING_AWAY("going-away", "a plain shape that goes away: its size falls from 1.6 to 0.45 in 2.8 s",
             TexturedScenes::goingAway),
     /** Movers before a moving background. */
     TEXTURED_MOVERS("textured-movers", "three textured shapes before a textured wall, all moving",

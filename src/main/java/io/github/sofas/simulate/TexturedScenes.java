@@ -96,7 +96,6 @@ final class TexturedScenes {
                 turning * speed / 100, turning * speed / 300, 0.6, durationS / 2);
     }
 
-    /** The speed is that of the outline at the end. */
     static World comingNear(SimulationOptions options) {
         return nearAndFar(options, false);
     }
@@ -105,6 +104,7 @@ final class TexturedScenes {
         return nearAndFar(options, true);
     }
 
+    /** The speed is that of the outline where it is nearest. */
     private static World nearAndFar(SimulationOptions options, boolean goesAway) {
         double radius = 34 * options.scale();
         double startScale = 0.45;

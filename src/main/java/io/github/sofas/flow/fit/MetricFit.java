@@ -359,8 +359,9 @@ public final class MetricFit {
      * @param perPx rotation and growth that shift the ends of the window by a pixel where the structure ends
      */
     public void stepTurnAndGrowth(Motion motion, double perPx) {
-        motion.omega += projected.around(metric()).rotation(perPx * ChangeFit.APART_PX).step();
-        stepGrowth(motion, perPx);
+        ChangeFit beside = projected.around(metric());
+        motion.omega += beside.rotation(perPx * ChangeFit.APART_PX).step();
+        motion.growth += beside.growth(perPx * ChangeFit.APART_PX).step();
     }
 
     /** The same towards the growth alone. */

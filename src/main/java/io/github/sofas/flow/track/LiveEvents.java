@@ -14,7 +14,7 @@ final class LiveEvents {
     static final int CAPACITY = 1 << 15;
     /** Bytes of its arrays. */
     static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES);
-    /** Mean polarity beyond which most events have one: all events of an edge do, but for noise. */
+    /** Mean polarity beyond which events have one, but for noise, as those of an edge; a whole body gives either. */
     private static final double LEAST_MEAN_POLARITY = 0.6;
     private static final int MASK = CAPACITY - 1;
     private static final Claim[] CLAIMS = Claim.values();
@@ -56,7 +56,7 @@ final class LiveEvents {
         return 1 << halvings;
     }
 
-    /** The polarity, 1 or -1, that four fifths or more of them have; 0 where there is none. */
+    /** The polarity, 1 or -1, that more than four fifths of them have; 0 where there is none. */
     int commonPolarity() {
         return Math.abs(signs) > LEAST_MEAN_POLARITY * size ? Integer.signum(signs) : 0;
     }

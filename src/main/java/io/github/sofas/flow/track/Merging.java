@@ -114,18 +114,18 @@ final class Merging {
                 || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
             return false;
         }
-        boolean areKnown = a.live().thinning() == 1 && b.live().thinning() == 1;
-        if (areKnown) {
-            body.take(older.live(), older.motion(), younger.live(), younger.motion(),
-                Math.max(a.contour().radius(), b.contour().radius()));
-        }
-        boolean grows = areKnown && mayGrow && body.growsOrShrinks(fit);
-        boolean isTold = areKnown && !grows && travelPx >= EDGES_TRAVEL_PX;
-        if (!grows && !part.note(older.id(), isTold ? body.sigmasGained(fit) : OneBody.NOTHING, nowUs)) {
+        if (a.live().thinning() > 1 || b.live().thinning() > 1) {
+            part.note(older.id(), OneBody.NOTHING, nowUs);
             return false;
         }
-        bond = Bond.BODY;
-        return true;
+        body.take(older.live(), older.motion(), younger.live(), younger.motion(),
+            Math.max(a.contour().radius(), b.contour().radius()));
+        boolean areOne = mayGrow && body.growsOrShrinks(fit) || part.note(older.id(),
+            travelPx < EDGES_TRAVEL_PX ? OneBody.NOTHING : body.sigmasGained(fit), nowUs);
+        if (areOne) {
+            bond = Bond.BODY;
+        }
+        return areOne;
     }
 
     /** How much a motion tells a second of what else moves like it, in px. */

@@ -31,17 +31,13 @@ public class OneBodyTest {
     /** Dots of a square that moves by itself, and turns and grows about the middle of both. */
     private static void move(LiveEvents live, double side, double vx, double vy, double omega, double growth) {
         Random random = new Random(1);
-        double[][] places = new double[90][];
-        for (int dot = 0; dot < places.length; dot++) {
-            places[dot] = new double[] {side + SIDE * random.nextDouble(), SIDE * (random.nextDouble() - 0.5)};
-        }
-        move(live, places, vx, vy, omega, growth);
-    }
-
-    private static void move(LiveEvents live, double[][] places, double vx, double vy, double omega, double growth) {
-        int dots = places.length;
+        int dots = 90;
+        double[][] places = new double[dots][];
         int[] column = new int[dots];
         int[] row = new int[dots];
+        for (int dot = 0; dot < dots; dot++) {
+            places[dot] = new double[] {side + SIDE * random.nextDouble(), SIDE * (random.nextDouble() - 0.5)};
+        }
         for (long t = 0; t < END_US; t += 50) {
             double s = t * 1e-6 - HALF_S;
             double scale = Math.exp(growth * s);
