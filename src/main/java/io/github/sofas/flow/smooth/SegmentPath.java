@@ -7,8 +7,8 @@ import java.util.List;
 
 /**
  * How a segment moved while it is looked at: its motion at knots of time, each the middle of the window that it was
- * measured over. Between two knots the motion changes evenly; before the first and after the last one the segment goes
- * on steadily.
+ * measured over. Between two knots the motion changes evenly; before the first one the segment moves steadily, and
+ * after the last one it goes on as its motion changed there.
  */
 final class SegmentPath {
     private static final int FIRST_CAPACITY = 64;
@@ -28,6 +28,11 @@ final class SegmentPath {
     /** How far two that are one may seem to go apart: in px, and as a share of their way. */
     private static final double APART_PX = 3;
     private static final double APART_SHARE = 0.15;
+    /**
+     * Share of its speed by which a motion may have changed since it was measured last: what turns back or pauses seems
+     * to slow down without end.
+     */
+    private static final double MOST_CHANGE = 0.25;
 
     private final int id;
     /** In order of time. */
@@ -281,10 +286,14 @@ final class SegmentPath {
     /** The motion at a time. */
     void at(long us, Motion to) {
         int k = knotsUntil(us);
-        if (k == 0 || k == knots.size()) {
-            to.copyFrom(knots.get(Math.max(0, k - 1)));
+        if (k == 0) {
+            to.copyFrom(first());
             to.hold();
             to.moveReference(us);
+            return;
+        }
+        if (k == knots.size()) {
+            goOn(us, to);
             return;
         }
         Motion a = knots.get(k - 1);
@@ -306,6 +315,17 @@ final class SegmentPath {
         double share = (us - a.referenceUs) * 1e-6 / seconds;
         to.deformation.multiply(1 - share);
         to.deformation.add(deformation, share);
+    }
+
+    /** The motion at a time after it was measured last: it changes on until it may have turned back. */
+    private void goOn(long us, Motion to) {
+        to.copyFrom(last());
+        double turns = Math.hypot(to.alpha, to.growthChange) * radius;
+        double perS = Math.hypot(Math.hypot(to.ax, to.ay), turns);
+        double seconds = MOST_CHANGE * to.speed(radius) / Math.max(perS, 1e-9);
+        to.moveReference(Math.min(us, to.referenceUs + (long) (seconds * 1e6)));
+        to.hold();
+        to.moveReference(us);
     }
 
     /** The motion at a time, about the point of the structure that is the centre of a motion at its own. */

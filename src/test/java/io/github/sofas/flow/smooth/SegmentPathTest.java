@@ -73,16 +73,38 @@ public class SegmentPathTest {
     }
 
     @Test
-    public void segmentGoesOnSteadilyBeforeTheFirstAndAfterTheLastKnot() {
+    public void segmentMovesSteadilyBeforeTheFirstKnot() {
         Motion only = motion(1_000_000, 100, 50);
-        only.ax = 1000;
+        only.ax = 100;
         path.add(only);
         path.at(900_000, at);
         assertEquals(100, at.vx, EXACT);
         assertEquals(40, at.centreX, EXACT);
+    }
+
+    @Test
+    public void motionChangesOnAfterTheLastKnotByAQuarterOfItsSpeedAtMost() {
+        // 100 px/s² from 100 px/s on: after 0.1 s 110 px/s and 0.5 px more than steadily, after 0.25 s a quarter more
+        Motion only = motion(1_000_000, 100, 50);
+        only.ax = 100;
+        path.add(only);
         path.at(1_100_000, at);
-        assertEquals(100, at.vx, EXACT);
-        assertEquals(60, at.centreX, EXACT);
+        assertEquals(110, at.vx, EXACT);
+        assertEquals(60.5, at.centreX, EXACT);
+        assertEquals("the change is in the velocity already", 0, at.ax, EXACT);
+        path.at(2_000_000, at);
+        assertEquals(125, at.vx, EXACT);
+        assertEquals(50 + 25 + 3.125 + 0.75 * 125, at.centreX, EXACT);
+    }
+
+    @Test
+    public void whatStoppedStaysWhereItIs() {
+        Motion only = motion(1_000_000, 0, 50);
+        only.ax = 100;
+        path.add(only);
+        path.at(2_000_000, at);
+        assertEquals(0, at.vx, EXACT);
+        assertEquals(50, at.centreX, EXACT);
     }
 
     @Test
