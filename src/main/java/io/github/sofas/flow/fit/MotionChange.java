@@ -79,6 +79,8 @@ public final class MotionChange {
     /** Whether the structure is known to turn as one body, and to grow as one, whatever shows within parts of it. */
     private boolean turnsAsOne;
     private boolean growsAsOne;
+    /** Whether it is taken to come near or go away at a steady speed in depth, but for what its events show. */
+    private boolean isSteadyInDepth;
     /** Rotation and growth as all of the structure shows them, were it one body. */
     private double ofAllOmega;
     private double ofAllGrowth;
@@ -112,9 +114,11 @@ public final class MotionChange {
      * @param loss gets what is known of rotation and growth
      * @param half half the window in s
      * @param structureRadius of the structure in px
+     * @param isOfOnePolarity whether its events are, as those on all sides of what comes near or goes away
      */
     public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
-                        SofasParameters.Track p) {
+                        boolean isOfOnePolarity, SofasParameters.Track p) {
+        isSteadyInDepth = isOfOnePolarity && growsAsOne;
         boolean isPlane = planeRadius(fit.size(), structureRadius, p) > 0;
         radius = structureRadius;
         measurements++;
@@ -188,7 +192,8 @@ public final class MotionChange {
         double sureOfTurning = turnsAsOne ? 1 : sure;
         motion.omega = sureOfTurning * newOmega;
         motion.growth = sure * newGrowth;
-        motion.growthChange = sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
+        motion.growthChange = isSteadyInDepth ? motion.growth * motion.growth
+            : sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
         if (turns * sureOfTurning < LEAST_SPINNING) {
             alpha = 0;
             motion.alpha = 0;
@@ -200,6 +205,11 @@ public final class MotionChange {
         }
     }
 
+    /**
+     * Measures the acceleration. Of what is steady in depth, whose size is s / (T - t), growth is g = 1 / (T - t) and
+     * changes by g²; each point has the acceleration 2 g v, which is more than a window shows: what may be noise is
+     * what differs from that.
+     */
     private void measureAcceleration(MetricFit fit, Motion motion, MotionLoss loss, double half) {
         double axisX = loss.axisX;
         double axisY = loss.axisY;
@@ -216,8 +226,11 @@ public final class MotionChange {
         // along a straight edge nothing is known, of acceleration still less than of velocity
         double shown = MetricFit.shown(flatness, FLAT_CHANGE);
         shownAcross = across * shown;
-        double a = believed(along, perPx, bendNoisePx);
-        double b = believed(across, perPx, bendNoisePx) * shown;
+        double perSpeed = isSteadyInDepth ? 2 * motion.growth : 0;
+        double inDepthAlong = perSpeed * (motion.vx * axisX + motion.vy * axisY);
+        double inDepthAcross = perSpeed * (motion.vy * axisX - motion.vx * axisY);
+        double a = inDepthAlong + believed(along - inDepthAlong, perPx, bendNoisePx);
+        double b = inDepthAcross + believed(across - inDepthAcross, perPx, bendNoisePx) * shown;
         motion.ax = a * axisX - b * axisY;
         motion.ay = a * axisY + b * axisX;
     }

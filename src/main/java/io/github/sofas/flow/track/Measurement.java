@@ -352,7 +352,7 @@ final class Measurement {
         if (crossing > MAX_SHARED) {
             change.hold(motion);
         } else if (count >= 2 && moved < 1) {
-            change.measure(fit, motion, loss, half, radius, p);
+            change.measure(fit, motion, loss, half, radius, live.commonPolarity() != 0, p);
             adapt(moves ? moved : 0, change.bendSigmas() > CLEAR_SIGMAS ? change.bendPx(half) : 0);
         }
         if (moves && moved > 3 * STEADY_PX) {

@@ -34,6 +34,7 @@ public class MotionChangeTest {
     /** Metrics on two grids that each measurement asked for last, with half a one for a structure tensor. */
     private final int[] looks = new int[40];
     private int repeats = 8;
+    private boolean isOfOnePolarity;
 
     /** Measures a cloud of 40 px some times, starting from the velocity that is right in the middle of the window. */
     private Motion measured(Motion truth, SofasParameters p) {
@@ -64,7 +65,7 @@ public class MotionChangeTest {
             fit.frame(1 / HALF_S);
             loss.take(fit.fit(0, 0, MetricFit.FLAT_SIGMAS));
             long before = fit.votes();
-            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, p.track());
+            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, isOfOnePolarity, p.track());
             looks[repeat] = (int) ((fit.votes() - before) / fit.size() / 2);
         }
         return motion;
@@ -196,6 +197,23 @@ public class MotionChangeTest {
     }
 
     @Test
+    public void whatComesNearAtASteadySpeedGrowsAndAcceleratesByThat() {
+        // of size s / (T - t), T = 4 s, the growth is 0.25 1/s, its change 0.0625 1/s²; at 100 px/s an acceleration of
+        // 2 * 0.25 * 100 px/s²
+        Motion truth = steady();
+        truth.growth = 0.25;
+        truth.growthChange = 0.0625;
+        truth.ax = 50;
+        change.believeAll();
+        assertEquals("polarity tells that it comes near", 0, measured(truth, DEFAULTS).growthChange, 1e-9);
+        isOfOnePolarity = true;
+        Motion motion = measured(truth, DEFAULTS);
+        assertEquals(0.25, motion.growth, 0.05);
+        assertEquals(motion.growth * motion.growth, motion.growthChange, 1e-9);
+        assertEquals(50, motion.ax, 10);
+    }
+
+    @Test
     public void whatIsSwitchedOffIsNotMeasured() {
         Motion truth = steady();
         truth.ax = 400;
@@ -266,7 +284,7 @@ public class MotionChangeTest {
             loss.take(top);
             motion.vx += top.stepX();
             motion.vy += top.stepY();
-            change.measure(fit, motion, loss, 0.05, 75, DEFAULTS.track());
+            change.measure(fit, motion, loss, 0.05, 75, false, DEFAULTS.track());
         }
         return motion;
     }
