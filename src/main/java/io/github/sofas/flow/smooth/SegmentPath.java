@@ -317,13 +317,17 @@ final class SegmentPath {
         to.deformation.add(deformation, share);
     }
 
-    /** The motion at a time after it was measured last: it changes on until it may have turned back. */
+    /**
+     * The motion at a time after it was measured last: it changes on until its newest event, or until it may have
+     * turned back, and is steady from then on.
+     */
     private void goOn(long us, Motion to) {
         to.copyFrom(last());
         double turns = Math.hypot(to.alpha, to.growthChange) * radius;
         double perS = Math.hypot(Math.hypot(to.ax, to.ay), turns);
         double seconds = MOST_CHANGE * to.speed(radius) / Math.max(perS, 1e-9);
-        to.moveReference(Math.min(us, to.referenceUs + (long) (seconds * 1e6)));
+        long changesUntilUs = Math.min(newestUs, to.referenceUs + (long) (seconds * 1e6));
+        to.moveReference(Math.min(us, changesUntilUs));
         to.hold();
         to.moveReference(us);
     }

@@ -88,6 +88,7 @@ public class SegmentPathTest {
         Motion only = motion(1_000_000, 100, 50);
         only.ax = 100;
         path.add(only);
+        path.see(9_000_000);
         path.at(1_100_000, at);
         assertEquals(110, at.vx, EXACT);
         assertEquals(60.5, at.centreX, EXACT);
@@ -98,10 +99,23 @@ public class SegmentPathTest {
     }
 
     @Test
+    public void motionChangesNoMoreAfterTheNewestEvent() {
+        // 100 px/s² until 1.1 s: 110 px/s from then on
+        Motion only = motion(1_000_000, 100, 50);
+        only.ax = 100;
+        path.add(only);
+        path.see(1_100_000);
+        path.at(1_200_000, at);
+        assertEquals(110, at.vx, EXACT);
+        assertEquals(60.5 + 11, at.centreX, EXACT);
+    }
+
+    @Test
     public void whatStoppedStaysWhereItIs() {
         Motion only = motion(1_000_000, 0, 50);
         only.ax = 100;
         path.add(only);
+        path.see(9_000_000);
         path.at(2_000_000, at);
         assertEquals(0, at.vx, EXACT);
         assertEquals(50, at.centreX, EXACT);
