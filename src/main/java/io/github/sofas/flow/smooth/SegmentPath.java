@@ -8,7 +8,7 @@ import java.util.List;
 /**
  * How a segment moved while it is looked at: its motion at knots of time, each the middle of the window that it was
  * measured over. Between two knots the motion changes evenly; before the first one the segment moves steadily, and
- * after the last one it goes on as its motion changed there.
+ * after the last one it changes on as its motion did there, no longer than it has events.
  */
 final class SegmentPath {
     private static final int FIRST_CAPACITY = 64;

@@ -34,6 +34,7 @@ public class MotionChangeTest {
     /** Metrics on two grids that each measurement asked for last, with half a one for a structure tensor. */
     private final int[] looks = new int[40];
     private int repeats = 8;
+    /** Whether the events of a cloud are told to be of one polarity. */
     private boolean isOfOnePolarity;
 
     /** Measures a cloud of 40 px some times, starting from the velocity that is right in the middle of the window. */

@@ -72,11 +72,17 @@ public class SegmentPathTest {
         assertEquals(2, at.growth, EXACT);
     }
 
-    @Test
-    public void segmentMovesSteadilyBeforeTheFirstKnot() {
-        Motion only = motion(1_000_000, 100, 50);
+    /** One knot at 1 s and 50 px, with 100 px/s² more from then on, of a segment that has events until a time. */
+    private void addAccelerated(double vx, long newestUs) {
+        Motion only = motion(1_000_000, vx, 50);
         only.ax = 100;
         path.add(only);
+        path.see(newestUs);
+    }
+
+    @Test
+    public void segmentMovesSteadilyBeforeTheFirstKnot() {
+        addAccelerated(100, 1_000_000);
         path.at(900_000, at);
         assertEquals(100, at.vx, EXACT);
         assertEquals(40, at.centreX, EXACT);
@@ -85,10 +91,7 @@ public class SegmentPathTest {
     @Test
     public void motionChangesOnAfterTheLastKnotByAQuarterOfItsSpeedAtMost() {
         // 100 px/s² from 100 px/s on: after 0.1 s 110 px/s and 0.5 px more than steadily, after 0.25 s a quarter more
-        Motion only = motion(1_000_000, 100, 50);
-        only.ax = 100;
-        path.add(only);
-        path.see(9_000_000);
+        addAccelerated(100, 9_000_000);
         path.at(1_100_000, at);
         assertEquals(110, at.vx, EXACT);
         assertEquals(60.5, at.centreX, EXACT);
@@ -101,10 +104,7 @@ public class SegmentPathTest {
     @Test
     public void motionChangesNoMoreAfterTheNewestEvent() {
         // 100 px/s² until 1.1 s: 110 px/s from then on
-        Motion only = motion(1_000_000, 100, 50);
-        only.ax = 100;
-        path.add(only);
-        path.see(1_100_000);
+        addAccelerated(100, 1_100_000);
         path.at(1_200_000, at);
         assertEquals(110, at.vx, EXACT);
         assertEquals(60.5 + 11, at.centreX, EXACT);
@@ -112,10 +112,7 @@ public class SegmentPathTest {
 
     @Test
     public void whatStoppedStaysWhereItIs() {
-        Motion only = motion(1_000_000, 0, 50);
-        only.ax = 100;
-        path.add(only);
-        path.see(9_000_000);
+        addAccelerated(0, 9_000_000);
         path.at(2_000_000, at);
         assertEquals(0, at.vx, EXACT);
         assertEquals(50, at.centreX, EXACT);
