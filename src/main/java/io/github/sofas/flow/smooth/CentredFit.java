@@ -50,12 +50,13 @@ final class CentredFit {
      *
      * @param slices those around it, in order
      * @param sideUs half the window in µs
+     * @param leastEvents that it is to be measured from
      * @return the motion, until the next question; null where there are too few events
      */
-    Motion measure(SegmentPath path, List<Slice> slices, long us, long sideUs) {
+    Motion measure(SegmentPath path, List<Slice> slices, long us, long sideUs, int leastEvents) {
         path.bending(us, Math.max(1, sideUs / 2), motion);
         int events = lookAt(path, slices, us, sideUs);
-        if (events < LEAST) {
+        if (events < Math.max(LEAST, leastEvents)) {
             return null;
         }
         step.begin();

@@ -16,10 +16,14 @@ final class SegmentPath {
     /** Travel that is looked at on either side of what is measured anew, and from one to the next, in px. */
     private static final double REFINED_PX = 8;
     private static final double REFINED_EVERY_PX = 4;
+    /** Speed of what stands. */
+    private static final double LEAST_PX_PER_S = 1e-3;
     /** Travel and time on either side that motions are averaged over, and samples of it. */
     private static final double AVERAGED_PX = 4;
     private static final long MOST_AVERAGED_US = 150_000;
     private static final int SAMPLES = 8;
+    /** Events from which on they show a motion in less time, as it is where a thing slows down to turn back. */
+    private static final int MANY_EVENTS = 1000;
     /** Shift by rotation and growth on either side below which nothing is measured anew. */
     private static final double LEAST_SHIFT_PX = 0.25;
 
@@ -174,36 +178,57 @@ final class SegmentPath {
         forgetSteady();
     }
 
-    /** Measures the motion at a time over so many µs on both sides; null where it cannot. */
+    /** Measures the motion at a time over so many µs on both sides; null where it cannot, or of fewer events. */
     @FunctionalInterface
     interface Refinement {
-        Motion at(long us, long sideUs);
+        Motion at(long us, long sideUs, int leastEvents);
     }
 
-    /** Puts knots that are measured anew in the place of those in a slice, where the segment turns or grows. */
+    /**
+     * Puts knots that are measured anew in the place of those in a slice, where the segment turns or grows: over so
+     * many px of travel at its greatest speed about them, where that has events enough, else at that of the moment,
+     * which may be that in which it turns back.
+     */
     void refine(Slice slice, long mostSideUs, Refinement refinement) {
         radius = slice.box(id).radius();
         int k = knotsUntil(slice.fromUs - 1);
         while (k < knots.size() && knots.get(k).referenceUs < slice.untilUs) {
             Motion knot = knots.get(k);
-            double speed = Math.max(knot.speed(radius), 1e-3);
-            long sideUs = (long) Math.min(REFINED_PX / speed * 1e6, mostSideUs);
+            double speed = Math.max(knot.speed(radius), LEAST_PX_PER_S);
+            long sideUs = refinedUs(speed, mostSideUs);
             double shift = Math.sqrt(knot.omega * knot.omega + knot.growth * knot.growth) * radius * sideUs * 1e-6;
-            Motion refined = shift < LEAST_SHIFT_PX ? null : refinement.at(knot.referenceUs, sideUs);
-            if (refined == null) {
+            if (shift < LEAST_SHIFT_PX) {
                 k++;
                 continue;
             }
-            knot.copyFrom(refined);
-            long untilUs = knot.referenceUs + (long) (REFINED_EVERY_PX / speed * 1e6);
-            k++;
-            int next = k;
-            while (next < knots.size() && knots.get(next).referenceUs < Math.min(untilUs, slice.untilUs)) {
-                next++;
+            double greatest = greatestSpeed(knot, sideUs);
+            Motion refined = greatest > speed
+                ? refinement.at(knot.referenceUs, refinedUs(greatest, mostSideUs), MANY_EVENTS) : null;
+            if (refined != null) {
+                speed = greatest;
+            } else {
+                refined = refinement.at(knot.referenceUs, sideUs, 1);
             }
-            knots.subList(k, next).clear();
-            forgetSteady();
+            k++;
+            if (refined != null) {
+                knot.copyFrom(refined);
+                long untilUs = knot.referenceUs + (long) (REFINED_EVERY_PX / speed * 1e6);
+                knots.subList(k, Math.max(k, knotsUntil(Math.min(untilUs, slice.untilUs) - 1))).clear();
+                forgetSteady();
+            }
         }
+    }
+
+    /** Half the time that the motion is measured anew over at a speed in px/s, in µs. */
+    private static long refinedUs(double speed, long mostSideUs) {
+        return (long) Math.min(REFINED_PX / speed * 1e6, mostSideUs);
+    }
+
+    /** Greatest of the speeds at a knot and at times as long before and after it, in px/s. */
+    private double greatestSpeed(Motion knot, long sideUs) {
+        at(knot.referenceUs - sideUs, before);
+        at(knot.referenceUs + sideUs, after);
+        return Math.max(knot.speed(radius), Math.max(before.speed(radius), after.speed(radius)));
     }
 
     /** Puts knots that are known better in the place of those from a time to before another. */
@@ -255,7 +280,7 @@ final class SegmentPath {
     /** Averages the motion about a time, what is near counting most, over as much of both sides as has knots. */
     private void average(long us) {
         at(us, steady);
-        double travelUs = AVERAGED_PX / Math.max(steady.speed(radius), 1e-3) * 1e6;
+        double travelUs = AVERAGED_PX / Math.max(steady.speed(radius), LEAST_PX_PER_S) * 1e6;
         long known = Math.min(us - first().referenceUs, last().referenceUs - us);
         double sideUs = Math.min(Math.min(travelUs, MOST_AVERAGED_US), known);
         if (sideUs <= 0) {

@@ -255,7 +255,8 @@ public final class Smoother {
         Slice slice = slices.get(index);
         for (SegmentPath path : paths.values()) {
             if (path.isMeasured() && slice.has(path.id())) {
-                path.refine(slice, FIRST_LOOK * sliceUs, (us, sideUs) -> fit.measure(path, slices, us, sideUs));
+                path.refine(slice, FIRST_LOOK * sliceUs,
+                    (us, sideUs, least) -> fit.measure(path, slices, us, sideUs, least));
                 alignment.bend(path, slices, slice, sliceUs);
             }
         }

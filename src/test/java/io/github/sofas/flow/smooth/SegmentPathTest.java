@@ -158,7 +158,7 @@ public class SegmentPathTest {
             path.add(between);
         }
         List<Long> measuredUs = new ArrayList<>();
-        path.refine(slice(), 1_000_000, (us, sideUs) -> {
+        path.refine(slice(), 1_000_000, (us, sideUs, least) -> {
             measuredUs.add(us);
             assertEquals(200_000, sideUs, 70_000);
             Motion measured = motion(us, 0, 40);
@@ -174,15 +174,48 @@ public class SegmentPathTest {
     }
 
     @Test
+    public void whatTurnsBackIsMeasuredAnewByItsGreatestSpeedIfThatHasManyEvents() {
+        // it slows down from 80 to 10 px/s in 0.35 s and speeds up again: at 10 px/s 8 px would take 800 ms, in which
+        // it was and will be as fast as 80 px/s, at which they take 100 ms
+        for (long timeUs = 100_000; timeUs <= 900_000; timeUs += 50_000) {
+            path.add(turningBack(timeUs));
+        }
+        List<Long> few = new ArrayList<>();
+        path.refine(slice(), 1_000_000, (us, sideUs, least) -> {
+            if (least > 1) {
+                assertEquals(100_000, sideUs, 10_000);
+                return null;
+            }
+            few.add(us);
+            assertTrue(sideUs + " at " + us, us != 500_000 || sideUs > 600_000);
+            return null;
+        });
+        assertTrue(few.contains(500_000L));
+        List<Long> many = new ArrayList<>();
+        path.refine(slice(), 1_000_000, (us, sideUs, least) -> {
+            many.add(us);
+            assertTrue("enough events", least > 1);
+            return turningBack(us);
+        });
+        assertTrue(many.size() + " in 500 ms, about one each 4 px at 80 px/s", many.size() >= 7);
+    }
+
+    private static Motion turningBack(long timeUs) {
+        Motion motion = motion(timeUs, Math.min(80, 10 + Math.abs(timeUs - 500_000) * 200e-6), 40);
+        motion.omega = 0.3;
+        return motion;
+    }
+
+    @Test
     public void whatOnlyMovesOrCannotBeMeasuredStaysAsItIs() {
         path.add(motion(300_000, 100, 0));
-        path.refine(slice(), 1_000_000, (us, sideUs) -> {
+        path.refine(slice(), 1_000_000, (us, sideUs, least) -> {
             throw new AssertionError("it does not turn");
         });
         Motion turning = motion(400_000, 100, 0);
         turning.omega = 5;
         path.add(turning);
-        path.refine(slice(), 1_000_000, (us, sideUs) -> null);
+        path.refine(slice(), 1_000_000, (us, sideUs, least) -> null);
         path.at(400_000, at);
         assertEquals(5, at.omega, EXACT);
     }
