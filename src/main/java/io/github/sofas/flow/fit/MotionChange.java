@@ -175,7 +175,7 @@ public final class MotionChange {
         if (p.growth()) {
             Parabola fitted = fit.changes().growth(perPx * ChangeFit.APART_PX);
             double growth = grown + fitted.step();
-            growthSlope.measured(growth, motion.referenceUs, fitted.step() / perPx, half);
+            growthSlope.measured(growth, motion.referenceUs, fitted.step(), perPx, half);
             grows = gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
             newGrowth = believed(growth, perPx, turnNoisePx) * grows;
             loss.grow = fitted.loss();

@@ -10,6 +10,11 @@ package io.github.sofas.flow.fit;
 final class SeriesSlope {
     /** Correction of a measurement at the end of the window, in px, above which the parameter has not settled. */
     private static final double UNSETTLED_PX = 0.3;
+    /**
+     * Difference from the value before, in px at the end of the window, above which one that was not measured is that
+     * of another structure: pieces of a picture that grows do not grow each by itself, and all of it at once.
+     */
+    private static final double ANOTHER_PX = 0.1;
     /** Part of half a window that must be new since it was unsettled. */
     private static final double LEAST_NEWS = 0.6;
 
@@ -33,12 +38,14 @@ final class SeriesSlope {
      *
      * @param value of the parameter in the middle of the window
      * @param timeUs the middle of the window; one that is no later than that before tells nothing of the slope
-     * @param movedPx correction of the parameter by this measurement, as a shift at the end of the window in px
+     * @param step correction of the parameter by this measurement
+     * @param perPx what shifts the end of the window by a px
      * @param half half the window in s
      */
-    void measured(double value, long timeUs, double movedPx, double half) {
+    void measured(double value, long timeUs, double step, double perPx, double half) {
         double seconds = (timeUs - beforeUs) * 1e-6;
-        if (Math.abs(movedPx) > UNSETTLED_PX) {
+        boolean isOfAnother = !follows && Math.abs(value - before) > ANOTHER_PX * perPx;
+        if (isOfAnother || Math.abs(step) > UNSETTLED_PX * perPx) {
             slope = 0;
             news = 0;
         } else if (follows && seconds > 0) {
@@ -58,7 +65,7 @@ final class SeriesSlope {
         slope *= share;
     }
 
-    /** Goes on from a value that was not measured: what leads there is no slope. */
+    /** Goes on from a value that was not measured: what leads there is no slope, or that of another structure. */
     void skip() {
         follows = false;
     }

@@ -47,29 +47,34 @@ public class MotionChangeTest {
         Motion motion = steady();
         change.restart();
         loss.clear();
-        MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, 4096, 1900);
         for (int repeat = 0; repeat < repeats; repeat++) {
-            Random random = new Random(5);
-            fit.clear();
-            for (int dot = 0; dot < 60; dot++) {
-                Motion its = truth[dot % truth.length];
-                double x = middles[dot % truth.length] + 2 * reach * (random.nextDouble() - 0.5);
-                double y = 40 + 2 * reach * (random.nextDouble() - 0.5);
-                for (int k = 0; k < 20; k++) {
-                    long timeUs = Math.round((k + random.nextDouble() - 10) / 10 * HALF_S * 1e6);
-                    Place seen = PlainMotion.at(its, x, y, timeUs);
-                    Place at = PlainMotion.project(motion, Math.rint(seen.x()), Math.rint(seen.y()), timeUs);
-                    fit.add((float) at.x(), (float) at.y(), timeUs * 1e-6f, (float) (at.x() - 50),
-                        (float) (at.y() - 40), 1);
-                }
-            }
-            fit.frame(1 / HALF_S);
-            loss.take(fit.fit(0, 0, MetricFit.FLAT_SIGMAS));
+            MetricFit fit = fitted(motion, truth, middles, reach);
             long before = fit.votes();
             change.measure(fit, motion, loss, HALF_S, RADIUS_PX, isOfOnePolarity, p.track());
             looks[repeat] = (int) ((fit.votes() - before) / fit.size() / 2);
         }
         return motion;
+    }
+
+    /** Fits the velocity of such clouds, beside the motion that they are projected along. */
+    private MetricFit fitted(Motion motion, Motion[] truth, double[] middles, double reach) {
+        MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, 4096, 1900);
+        Random random = new Random(5);
+        for (int dot = 0; dot < 60; dot++) {
+            Motion its = truth[dot % truth.length];
+            double x = middles[dot % truth.length] + 2 * reach * (random.nextDouble() - 0.5);
+            double y = 40 + 2 * reach * (random.nextDouble() - 0.5);
+            for (int k = 0; k < 20; k++) {
+                long timeUs = Math.round((k + random.nextDouble() - 10) / 10 * HALF_S * 1e6);
+                Place seen = PlainMotion.at(its, x, y, timeUs);
+                Place at = PlainMotion.project(motion, Math.rint(seen.x()), Math.rint(seen.y()), timeUs);
+                fit.add((float) at.x(), (float) at.y(), timeUs * 1e-6f, (float) (at.x() - 50),
+                    (float) (at.y() - 40), 1);
+            }
+        }
+        fit.frame(1 / HALF_S);
+        loss.take(fit.fit(0, 0, MetricFit.FLAT_SIGMAS));
+        return fit;
     }
 
     @Test
@@ -212,6 +217,35 @@ public class MotionChangeTest {
         assertEquals(0.25, motion.growth, 0.05);
         assertEquals(motion.growth * motion.growth, motion.growthChange, 1e-9);
         assertEquals(50, motion.ax, 10);
+    }
+
+    @Test
+    public void changeOfTheGrowthIsThatFromWindowToWindowUntilTheMotionIsOfAnother() {
+        // windows a twentieth of a second apart, in which a growth of 0.2 1/s becomes one of 0.45
+        change.believeAll();
+        Motion motion = steady();
+        for (int window = 0; window < 6; window++) {
+            motion = growing(motion, 0.2 + 0.05 * window, 50_000L * window);
+        }
+        assertEquals(1, motion.growthChange, 0.2);
+        change.take();
+        double before = motion.growthChange;
+        motion = growing(motion, 0.47, 300_000);
+        assertEquals("what led there is no slope", before, motion.growthChange, 0.1);
+        change.take();
+        motion = growing(motion, 0.9, 350_000);
+        assertEquals("of another structure nothing is known", 0, motion.growthChange, 0);
+    }
+
+    /** Measures a cloud, which has grown so from one window to the next, in the window about a time. */
+    private Motion growing(Motion before, double growth, long atUs) {
+        Motion truth = steady();
+        truth.growth = growth;
+        before.referenceUs = 0;
+        MetricFit fit = fitted(before, new Motion[] {truth}, new double[] {50}, RADIUS_PX);
+        before.referenceUs = atUs;
+        change.measure(fit, before, loss, HALF_S, RADIUS_PX, isOfOnePolarity, DEFAULTS.track());
+        return before;
     }
 
     @Test

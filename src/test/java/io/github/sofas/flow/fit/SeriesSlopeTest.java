@@ -7,12 +7,13 @@ import org.junit.Test;
 /** Slope of a series of measurements, over windows of 0.2 s. */
 public class SeriesSlopeTest {
     private static final double HALF_S = 0.1;
+    private static final double PER_PX = 100;
     private static final double TINY = 1e-12;
 
     private final SeriesSlope slope = new SeriesSlope();
 
     private void measured(double value, long timeMs) {
-        slope.measured(value, timeMs * 1000, 0, HALF_S);
+        slope.measured(value, timeMs * 1000, 0, PER_PX, HALF_S);
     }
 
     @Test
@@ -37,7 +38,7 @@ public class SeriesSlopeTest {
         measured(1, 0);
         measured(1.4, 200);
         assertEquals(2, slope.perS(), TINY);
-        slope.measured(9, 400_000, 0.31, HALF_S);
+        slope.measured(9, 400_000, 0.31 * PER_PX, PER_PX, HALF_S);
         assertEquals(0, slope.perS(), 0);
         // and the news begin anew
         measured(9.1, 450);
@@ -56,6 +57,21 @@ public class SeriesSlopeTest {
         // a window from there: 1 in 0.2 s
         measured(8, 600);
         assertEquals(5, slope.perS(), TINY);
+    }
+
+    @Test
+    public void valueOfAnotherStructureBeginsAnew() {
+        measured(1, 0);
+        measured(1.4, 200);
+        slope.skip();
+        // farther than a tenth of what shifts the end of the window by a px
+        measured(11.5, 400);
+        assertEquals(0, slope.perS(), 0);
+        // a quarter of a window is too little again
+        measured(11.6, 450);
+        assertEquals(0, slope.perS(), 0);
+        measured(11.7, 500);
+        assertEquals(1, slope.perS(), TINY);
     }
 
     @Test
