@@ -12,7 +12,7 @@ final class SeriesSlope {
     private static final double UNSETTLED_PX = 0.3;
     /**
      * Difference from the value before, in px at the end of the window, above which one that was not measured is that
-     * of another structure: pieces of a picture that grows do not grow each by itself, and all of it at once.
+     * of another structure: a piece of a picture that grows shows little growth, and the whole picture all of it.
      */
     private static final double ANOTHER_PX = 0.1;
     /** Part of half a window that must be new since it was unsettled. */

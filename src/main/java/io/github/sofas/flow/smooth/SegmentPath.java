@@ -224,7 +224,7 @@ final class SegmentPath {
         return (long) Math.min(REFINED_PX / speed * 1e6, mostSideUs);
     }
 
-    /** Greatest of the speeds at a knot and at times as long before and after it, in px/s. */
+    /** Greatest of the speeds at a knot and so many µs before and after it, in px/s. */
     private double greatestSpeed(Motion knot, long sideUs) {
         at(knot.referenceUs - sideUs, before);
         at(knot.referenceUs + sideUs, after);
