@@ -50,7 +50,7 @@ final class CentredFit {
      *
      * @param slices those around it, in order
      * @param sideUs half the window in µs
-     * @param leastEvents that it is to be measured from
+     * @param leastEvents fewest events to measure it from, where that is more than it always needs
      * @return the motion, until the next question; null where there are too few events
      */
     Motion measure(SegmentPath path, List<Slice> slices, long us, long sideUs, int leastEvents) {

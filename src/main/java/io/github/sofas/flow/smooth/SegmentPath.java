@@ -178,7 +178,7 @@ final class SegmentPath {
         forgetSteady();
     }
 
-    /** Measures the motion at a time over so many µs on both sides; null where it cannot, or of fewer events. */
+    /** Measures the motion at a time over so many µs on both sides; null where it cannot, or of too few events. */
     @FunctionalInterface
     interface Refinement {
         Motion at(long us, long sideUs, int leastEvents);
@@ -191,14 +191,12 @@ final class SegmentPath {
      */
     void refine(Slice slice, long mostSideUs, Refinement refinement) {
         radius = slice.box(id).radius();
-        int k = knotsUntil(slice.fromUs - 1);
-        while (k < knots.size() && knots.get(k).referenceUs < slice.untilUs) {
+        for (int k = knotsUntil(slice.fromUs - 1); k < knots.size() && knots.get(k).referenceUs < slice.untilUs; k++) {
             Motion knot = knots.get(k);
             double speed = Math.max(knot.speed(radius), LEAST_PX_PER_S);
             long sideUs = refinedUs(speed, mostSideUs);
             double shift = Math.sqrt(knot.omega * knot.omega + knot.growth * knot.growth) * radius * sideUs * 1e-6;
             if (shift < LEAST_SHIFT_PX) {
-                k++;
                 continue;
             }
             double greatest = greatestSpeed(knot, sideUs);
@@ -207,14 +205,12 @@ final class SegmentPath {
             if (refined != null) {
                 speed = greatest;
             } else {
-                refined = refinement.at(knot.referenceUs, sideUs, 1);
+                refined = refinement.at(knot.referenceUs, sideUs, 0);
             }
-            k++;
             if (refined != null) {
                 knot.copyFrom(refined);
-                long untilUs = knot.referenceUs + (long) (REFINED_EVERY_PX / speed * 1e6);
-                knots.subList(k, Math.max(k, knotsUntil(Math.min(untilUs, slice.untilUs) - 1))).clear();
-                forgetSteady();
+                long untilUs = knot.referenceUs + Math.max(1, (long) (REFINED_EVERY_PX / speed * 1e6));
+                replace(knot.referenceUs, Math.min(untilUs, slice.untilUs), List.of(knot));
             }
         }
     }

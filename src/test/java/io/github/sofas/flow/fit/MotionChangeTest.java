@@ -225,27 +225,26 @@ public class MotionChangeTest {
         change.believeAll();
         Motion motion = steady();
         for (int window = 0; window < 6; window++) {
-            motion = growing(motion, 0.2 + 0.05 * window, 50_000L * window);
+            measureGrowing(motion, 0.2 + 0.05 * window, 50_000L * window);
         }
         assertEquals(1, motion.growthChange, 0.2);
         change.take();
         double before = motion.growthChange;
-        motion = growing(motion, 0.47, 300_000);
+        measureGrowing(motion, 0.47, 300_000);
         assertEquals("what led there is no slope", before, motion.growthChange, 0.1);
         change.take();
-        motion = growing(motion, 0.9, 350_000);
+        measureGrowing(motion, 0.9, 350_000);
         assertEquals("of another structure nothing is known", 0, motion.growthChange, 0);
     }
 
-    /** Measures a cloud, which has grown so from one window to the next, in the window about a time. */
-    private Motion growing(Motion before, double growth, long atUs) {
+    /** Measures a cloud, which grows so, in the window about a time, along the motion of the window before. */
+    private void measureGrowing(Motion motion, double growth, long atUs) {
         Motion truth = steady();
         truth.growth = growth;
-        before.referenceUs = 0;
-        MetricFit fit = fitted(before, new Motion[] {truth}, new double[] {50}, RADIUS_PX);
-        before.referenceUs = atUs;
-        change.measure(fit, before, loss, HALF_S, RADIUS_PX, isOfOnePolarity, DEFAULTS.track());
-        return before;
+        motion.referenceUs = 0;
+        MetricFit fit = fitted(motion, new Motion[] {truth}, new double[] {50}, RADIUS_PX);
+        motion.referenceUs = atUs;
+        change.measure(fit, motion, loss, HALF_S, RADIUS_PX, isOfOnePolarity, DEFAULTS.track());
     }
 
     @Test
