@@ -5,10 +5,11 @@ import java.util.Arrays;
 
 /**
  * Where on the sensor the contours explain events badly: by tile of 8 x 8 px, the share of the events of late whose
- * support was doubtful.
+ * support was doubtful, or which lay on no contour where one was remembered.
  *
- * <p>Ours, because the contour of a dense texture is everywhere, and lets no event of what moves before it reach the
- * flow plane. Single events are doubtful in any texture; only where many are is there something else.
+ * <p>Ours, because the contour of a dense texture, and the memory of one even more, is everywhere, and lets no event of
+ * what moves before it reach the flow plane. Single events are doubtful in any texture; only where many are is there
+ * something else.
  */
 final class Doubts {
     private static final int TILE_BITS = 3;

@@ -95,7 +95,7 @@ public final class TrackPlaneStack {
             }
         }
         TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
-        boolean explained = true;
+        boolean isDoubtful = true;
         Claim claim;
         if (best == null) {
             best = remembering(x, y, timeUs);
@@ -104,8 +104,7 @@ public final class TrackPlaneStack {
             }
             claim = Claim.REMEMBERED;
         } else {
-            boolean doubtful = candidates.isDoubtful();
-            explained = !(doubts.note(x, y, doubtful) && doubtful);
+            isDoubtful = candidates.isDoubtful();
             boolean isShared = candidates.areClose() || candidates.isWeak() && isRememberedByOther(best, x, y, timeUs);
             claim = isShared ? Claim.SHARED : Claim.OWN;
         }
@@ -124,7 +123,7 @@ public final class TrackPlaneStack {
         }
         best.take(x, y, timeUs, polarity, claim, bursts, fit);
         reaches.follow(best, planes, size, timeUs);
-        return explained;
+        return !(doubts.note(x, y, isDoubtful) && isDoubtful);
     }
 
     /** Whether traces are known: of a lone wall they would cost a third of its labels, and nobody else is there. */

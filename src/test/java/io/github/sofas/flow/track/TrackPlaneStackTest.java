@@ -128,6 +128,18 @@ public class TrackPlaneStackTest {
     }
 
     @Test
+    public void whereManyEventsLieOnNoContourSomethingElseMayBe() {
+        // rows 32 to 39 of an ON edge are one tile: OFF events there are remembered, and have no support
+        edges.begin(40, 30, 100, 1);
+        List<Boolean> explained = new ArrayList<>();
+        for (int y = 32; y < 40; y++) {
+            explained.add(edges.stack.label(40, y, edges.nowUs, -1, edges.output, 0));
+            assertEquals("labelled all the same", 1, edges.output.segment[0]);
+        }
+        assertEquals(List.of(true, true, true, true, true, false, false, false), explained);
+    }
+
+    @Test
     public void resetForgetsWhereEventsHadLittleSupport() {
         for (int[] dot : beginWithDots()) {
             edges.stack.label(dot[0], dot[1], edges.nowUs, 1, edges.output, 0);
