@@ -123,7 +123,7 @@ final class Candidates {
     }
 
     /** Whether the plane's motion changes by half of its speed within a trace: its edge came another way. */
-    private static boolean isBent(TrackPlane plane, int x, int y, long timeUs) {
+    static boolean isBent(TrackPlane plane, int x, int y, long timeUs) {
         return Math.hypot(plane.motion().ax, plane.motion().ay) * 2 * PixelHistory.TRACE_PX
             > squareSpeed(plane, x, y, timeUs);
     }

@@ -95,13 +95,15 @@ public final class TrackPlaneStack {
             }
         }
         TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
-        boolean isDoubtful = true;
+        boolean isDoubtful;
         Claim claim;
         if (best == null) {
             best = remembering(x, y, timeUs);
             if (keepsHistory()) {
                 best = candidates.unexpected(best, history, noise.perUs(), x, y, timeUs, polarity);
             }
+            // what turns back comes to where its contour was
+            isDoubtful = best != null && !Candidates.isBent(best, x, y, timeUs);
             claim = Claim.REMEMBERED;
         } else {
             isDoubtful = candidates.isDoubtful();

@@ -140,6 +140,15 @@ public class TrackPlaneStackTest {
     }
 
     @Test
+    public void whatTurnsBackIsNothingElseWhereItsContourWas() {
+        // at 1,000 px/s² its velocity changes by 80 px/s within a trace of 8 px, more than half of it
+        edges.begin(40, 30, 100, 1).motion().ax = -1_000;
+        for (int y = 32; y < 40; y++) {
+            assertTrue(edges.stack.label(40, y, edges.nowUs, -1, edges.output, 0));
+        }
+    }
+
+    @Test
     public void resetForgetsWhereEventsHadLittleSupport() {
         for (int[] dot : beginWithDots()) {
             edges.stack.label(dot[0], dot[1], edges.nowUs, 1, edges.output, 0);
