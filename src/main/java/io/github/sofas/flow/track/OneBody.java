@@ -90,12 +90,10 @@ final class OneBody {
 
     /** What the metric of their events gains by one motion, in standard deviations, or {@link #NOTHING}. */
     double sigmasGained(MetricFit fit) {
-        if (!begin(LEAST_EVENTS, fit) || !isTold()) {
-            return NOTHING;
-        }
-        return gainedTurning(fit);
+        return begin(LEAST_EVENTS, fit) && isTold() ? gainedTurning(fit) : NOTHING;
     }
 
+    /** The same along the one motion that was begun with. */
     private double gainedTurning(MetricFit fit) {
         double separately = separately(fit);
         together(fit);
@@ -107,14 +105,16 @@ final class OneBody {
      * and their events meet as often by one motion.
      */
     boolean turnsAsShown(MetricFit fit) {
-        if (!begin(LEAST_EVENTS, fit) || !isTold()) {
-            return false;
-        }
+        return begin(LEAST_EVENTS, fit) && isTold() && asksForWhatIsShown()
+            && gainedTurning(fit) > -MOST_LOST_AS_SHOWN;
+    }
+
+    /** Whether the larger part turns, and shows about the rotation and growth that the two velocities ask for. */
+    private boolean asksForWhatIsShown() {
         Motion shown = (one.live.size() > other.live.size() ? one : other).motion;
         double turn = Math.abs(shown.omega);
         return turn * half * radius >= SHOWN_PX
-            && Math.hypot(motion.omega - shown.omega, motion.growth - shown.growth) <= MOST_OFF * turn
-            && gainedTurning(fit) > -MOST_LOST_AS_SHOWN;
+            && Math.hypot(motion.omega - shown.omega, motion.growth - shown.growth) <= MOST_OFF * turn;
     }
 
     /**
