@@ -1,10 +1,8 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.fit.MeetingPicture;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
-import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 
 /**
@@ -16,10 +14,6 @@ import java.util.Arrays;
  * So what loses much is one body for certain, though none of its parts shows that it turns, as the shapes of a poster.
  */
 final class TwoBodies {
-    /** Side of a tile in px, as a power of two. */
-    private static final int TILE_BITS = 3;
-    /** Room around the sensor for what is moved off it, in tiles. */
-    private static final int MARGIN = 2;
     /** Shift of the ends of the window by rotation and growth, in px, below which they are too little to explain. */
     private static final double LEAST_TURN_PX = 0.35;
     /** Fewest events of a body. */
@@ -35,8 +29,6 @@ final class TwoBodies {
     private static final int LINES = 2;
     /** How often velocities are measured, and tiles given to the one that suits them better. */
     private static final int ROUNDS = 3;
-    /** Events are projected in steps of this part of a pixel. */
-    private static final double STEP_PX = 1.0 / 32;
 
     /** One of the two, with its velocity besides that of the structure's middle. */
     private static final class Body {
@@ -50,26 +42,14 @@ final class TwoBodies {
         }
     }
 
-    private final MeetingPicture picture;
-    private final int columns;
-    private final int rows;
-    // the events that the structure alone claims: place in the middle of the window, time from then in s, and tile
-    private final int[] index = new int[Measurement.MOST_EVENTS];
-    private final float[] x = new float[Measurement.MOST_EVENTS];
-    private final float[] y = new float[Measurement.MOST_EVENTS];
-    private final float[] tau = new float[Measurement.MOST_EVENTS];
-    private final byte[] sign = new byte[Measurement.MOST_EVENTS];
-    private final int[] tile = new int[Measurement.MOST_EVENTS];
-    /** Where they lie in the picture. */
-    private final int[] placeX = new int[Measurement.MOST_EVENTS];
-    private final int[] placeY = new int[Measurement.MOST_EVENTS];
+    /** The events that the structure alone claims. */
+    private final TiledEvents tiled;
     private int size;
     private double middleX;
     private double middleY;
     private double radius;
     private double half;
-    // of each tile: events, how often they meet along the motion, and whether the second body has it
-    private final int[] events;
+    // of each tile: how often its events meet along the motion, and whether the second body has it
     private final long[] met;
     private final boolean[] isSecond;
     /** On which side of a line the events of each tile are. */
@@ -82,7 +62,6 @@ final class TwoBodies {
     /** Motion of the structure in the middle of the window, and the same without rotation and growth. */
     private final Motion along = new Motion();
     private final Motion steady = new Motion();
-    private final SteppedProjection stepped = new SteppedProjection();
     private final OwnVelocity own = new OwnVelocity();
     private boolean turns;
     private boolean isClearlyOne;
@@ -91,12 +70,9 @@ final class TwoBodies {
     private final Motion smaller = new Motion();
     private final Motion larger = new Motion();
 
-    TwoBodies(SensorSize sensor) {
-        picture = new MeetingPicture(sensor);
-        columns = tiles(sensor.width());
-        rows = tiles(sensor.height());
-        int tiles = columns * rows;
-        events = new int[tiles];
+    TwoBodies(TiledEvents tiled) {
+        this.tiled = tiled;
+        int tiles = tiled.tiles();
         met = new long[tiles];
         isSecond = new boolean[tiles];
         side = new int[tiles];
@@ -104,15 +80,9 @@ final class TwoBodies {
         second = new Body(tiles);
     }
 
-    private static int tiles(int px) {
-        return (px - 1 >> TILE_BITS) + 1 + 2 * MARGIN;
-    }
-
-    /** Bytes of its arrays. */
+    /** Bytes of its arrays, but for those of the events. */
     static long bytes(SensorSize sensor) {
-        long tiles = (long) tiles(sensor.width()) * tiles(sensor.height());
-        return MeetingPicture.bytes(sensor) + (7L * Integer.BYTES + 1) * Measurement.MOST_EVENTS + LiveEvents.CAPACITY
-            + (3L * Long.BYTES + 2 * Integer.BYTES + 1) * tiles;
+        return LiveEvents.CAPACITY + (3L * Long.BYTES + Integer.BYTES + 1) * TiledEvents.tiles(sensor);
     }
 
     /** Whether a live event, by its index, is one of the body with fewer events. */
@@ -158,14 +128,13 @@ final class TwoBodies {
             return false;
         }
         along.moveReference(live.middleUs());
-        list(live);
-        lay(live, along, reach);
+        tiled.take(live, along, reach);
+        size = tiled.size();
         findMiddle();
         if (size < 2 * LEAST_EVENTS || turnPx(radius) < LEAST_TURN_PX) {
             return false;
         }
-        sortByTile();
-        double sd = MetricFit.sd(meet(0, 0, met));
+        double sd = MetricFit.sd(tiled.meet(0, 0, met));
         double most = SHOWN_SIGMAS * sd;
         steady.copyFrom(along);
         steady.moveCentre(middleX, middleY);
@@ -173,7 +142,7 @@ final class TwoBodies {
         steady.alpha = 0;
         steady.growth = 0;
         steady.growthChange = 0;
-        lay(live, steady, reach);
+        tiled.lay(steady, reach);
         boolean found = false;
         turns = true;
         isClearlyOne = true;
@@ -195,73 +164,18 @@ final class TwoBodies {
         return Math.hypot(along.omega, along.growth) * distance * half;
     }
 
-    private void list(LiveEvents live) {
-        size = 0;
-        for (int k = 0; k < live.size(); k++) {
-            int i = live.index(k);
-            if (live.claim(i) == Claim.OWN) {
-                index[size] = i;
-                tau[size] = (live.timeUs[i] - along.referenceUs) * 1e-6f;
-                sign[size] = live.sign[i];
-                size++;
-            }
-        }
-    }
-
-    private void lay(LiveEvents live, Motion motion, double reach) {
-        stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * reach, STEP_PX);
-        for (int k = 0; k < size; k++) {
-            int i = index[k];
-            stepped.advance(live.timeUs[i]);
-            x[k] = (float) stepped.x(live.x[i], live.y[i]);
-            y[k] = (float) stepped.y(live.x[i], live.y[i]);
-        }
-    }
-
     private void findMiddle() {
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
         for (int k = 0; k < size; k++) {
-            sumX += x[k];
-            sumY += y[k];
-            squares += (double) x[k] * x[k] + (double) y[k] * y[k];
+            sumX += tiled.x(k);
+            sumY += tiled.y(k);
+            squares += (double) tiled.x(k) * tiled.x(k) + (double) tiled.y(k) * tiled.y(k);
         }
         middleX = sumX / size;
         middleY = sumY / size;
         radius = Math.sqrt(Math.max(0, squares / size - middleX * middleX - middleY * middleY));
-    }
-
-    private void sortByTile() {
-        Arrays.fill(events, 0);
-        for (int k = 0; k < size; k++) {
-            int column = Math.max(0, Math.min(columns - 1, ((int) Math.floor(x[k]) >> TILE_BITS) + MARGIN));
-            int row = Math.max(0, Math.min(rows - 1, ((int) Math.floor(y[k]) >> TILE_BITS) + MARGIN));
-            tile[k] = row * columns + column;
-            events[tile[k]]++;
-        }
-    }
-
-    /** Finds how often the events of each tile meet along a velocity; returns the metric of all. */
-    private double meet(double vx, double vy, long[] byTile) {
-        picture.clear();
-        for (int k = 0; k < size; k++) {
-            placeX[k] = MeetingPicture.place(x[k] - vx * tau[k]);
-            placeY[k] = MeetingPicture.place(y[k] - vy * tau[k]);
-            picture.add(placeX[k], placeY[k], sign[k]);
-        }
-        Arrays.fill(byTile, 0);
-        long sum = 0;
-        for (int k = 0; k < size; k++) {
-            long its = picture.met(placeX[k], placeY[k], sign[k]);
-            byTile[tile[k]] += its;
-            sum += its;
-        }
-        return metric(sum);
-    }
-
-    private static double metric(long met) {
-        return Math.scalb((double) met, -MeetingPicture.MET_BITS);
     }
 
     /** Gives the tiles on one side of a line through the middle to one body, and the rest to the other. */
@@ -270,7 +184,7 @@ final class TwoBodies {
         double dirY = StrictMath.sin(angle);
         Arrays.fill(side, 0);
         for (int k = 0; k < size; k++) {
-            side[tile[k]] += (x[k] - middleX) * dirX + (y[k] - middleY) * dirY > 0 ? 1 : -1;
+            side[tiled.tile(k)] += (tiled.x(k) - middleX) * dirX + (tiled.y(k) - middleY) * dirY > 0 ? 1 : -1;
         }
         for (int t = 0; t < side.length; t++) {
             isSecond[t] = side[t] > 0;
@@ -286,8 +200,8 @@ final class TwoBodies {
         int its = 0;
         for (int k = 0; k < size; k++) {
             if (isOf(body, k)) {
-                sumX += x[k] - middleX;
-                sumY += y[k] - middleY;
+                sumX += tiled.x(k) - middleX;
+                sumY += tiled.y(k) - middleY;
                 its++;
             }
         }
@@ -296,7 +210,7 @@ final class TwoBodies {
     }
 
     private boolean isOf(Body body, int k) {
-        return isSecond[tile[k]] == (body == second);
+        return isSecond[tiled.tile(k)] == (body == second);
     }
 
     /**
@@ -321,12 +235,12 @@ final class TwoBodies {
         changed = false;
         ofSecond = 0;
         double gained = 0;
-        for (int t = 0; t < events.length; t++) {
+        for (int t = 0; t < met.length; t++) {
             boolean suits = second.met[t] > first.met[t];
-            changed |= events[t] > 0 && suits != isSecond[t];
+            changed |= tiled.events(t) > 0 && suits != isSecond[t];
             isSecond[t] = suits;
-            ofSecond += suits ? events[t] : 0;
-            gained += metric(Math.max(first.met[t], second.met[t]) - met[t]);
+            ofSecond += suits ? tiled.events(t) : 0;
+            gained += TiledEvents.metric(Math.max(first.met[t], second.met[t]) - met[t]);
         }
         return gained;
     }
@@ -335,7 +249,9 @@ final class TwoBodies {
         fit.clear();
         for (int k = 0; k < size; k++) {
             if (isOf(body, k)) {
-                fit.add((float) (x[k] - body.vx * tau[k]), (float) (y[k] - body.vy * tau[k]), tau[k], 0, 0, sign[k]);
+                float tau = tiled.tauS(k);
+                fit.add((float) (tiled.x(k) - body.vx * tau), (float) (tiled.y(k) - body.vy * tau), tau, 0, 0,
+                    tiled.sign(k));
             }
         }
         if (fit.size() >= Measurement.LEAST_EVENTS) {
@@ -346,7 +262,7 @@ final class TwoBodies {
             body.vx += own.vx();
             body.vy += own.vy();
         }
-        meet(body.vx, body.vy, body.met);
+        tiled.meet(body.vx, body.vy, body.met);
     }
 
     /** Whether both have events enough, and velocities that differ, but not so far that one may be a false top. */
@@ -360,7 +276,7 @@ final class TwoBodies {
         Body few = 2 * ofSecond <= size ? second : first;
         Arrays.fill(isOfSmaller, false);
         for (int k = 0; k < size; k++) {
-            isOfSmaller[index[k]] = isOf(few, k);
+            isOfSmaller[tiled.index(k)] = isOf(few, k);
         }
         take(few, smaller);
         take(few == second ? first : second, larger);

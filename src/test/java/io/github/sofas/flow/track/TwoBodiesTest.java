@@ -29,7 +29,7 @@ public class TwoBodiesTest {
     private static final double OMEGA = 1;
 
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
-    private final TwoBodies two = new TwoBodies(SENSOR);
+    private final TwoBodies two = new TwoBodies(new TiledEvents(SENSOR));
     private final List<long[]> events = new ArrayList<>();
     private final LiveEvents live = new LiveEvents();
     private final Motion motion = new Motion();

@@ -1,0 +1,175 @@
+package io.github.sofas.flow.track;
+
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.fit.MeetingPicture;
+import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.SteppedProjection;
+import java.util.Arrays;
+
+/**
+ * The live events of a structure that it alone claims, laid where they are in the middle of its window along one motion
+ * or another, and how often they meet in each tile of 8 x 8 px, by where they lie along its own. Ours, to tell which of
+ * several motions suits which part of a structure.
+ */
+final class TiledEvents {
+    /** Side of a tile in px, as a power of two. */
+    private static final int TILE_BITS = 3;
+    /** Room around the sensor for what is moved off it, in tiles. */
+    private static final int MARGIN = 2;
+    /** Events are projected in steps of this part of a pixel. */
+    private static final double STEP_PX = 1.0 / 32;
+
+    private final MeetingPicture picture;
+    private final int columns;
+    private final int rows;
+    private LiveEvents live;
+    private int size;
+    // of each event: its index, where it was laid, its time from the middle in s, its polarity, and its tile
+    private final int[] index = new int[Measurement.MOST_EVENTS];
+    private final float[] x = new float[Measurement.MOST_EVENTS];
+    private final float[] y = new float[Measurement.MOST_EVENTS];
+    private final float[] tau = new float[Measurement.MOST_EVENTS];
+    private final byte[] sign = new byte[Measurement.MOST_EVENTS];
+    private final int[] tile = new int[Measurement.MOST_EVENTS];
+    /** Where they lie in the picture. */
+    private final int[] placeX = new int[Measurement.MOST_EVENTS];
+    private final int[] placeY = new int[Measurement.MOST_EVENTS];
+    /** How many each tile has. */
+    private final int[] events;
+    private final SteppedProjection stepped = new SteppedProjection();
+
+    TiledEvents(SensorSize sensor) {
+        picture = new MeetingPicture(sensor);
+        columns = tiles(sensor.width());
+        rows = tiles(sensor.height());
+        events = new int[columns * rows];
+    }
+
+    private static int tiles(int px) {
+        return (px - 1 >> TILE_BITS) + 1 + 2 * MARGIN;
+    }
+
+    /** How many tiles there are. */
+    static int tiles(SensorSize sensor) {
+        return tiles(sensor.width()) * tiles(sensor.height());
+    }
+
+    int tiles() {
+        return events.length;
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        return MeetingPicture.bytes(sensor) + (7L * Integer.BYTES + 1) * Measurement.MOST_EVENTS
+            + (long) Integer.BYTES * tiles(sensor);
+    }
+
+    /**
+     * Takes the events of a structure, lays them along its motion, and sorts them by tile.
+     *
+     * @param from no more events than can be measured at once
+     * @param along the structure's motion, in the middle of the window
+     * @param reach radius of the structure in px
+     */
+    void take(LiveEvents from, Motion along, double reach) {
+        live = from;
+        size = 0;
+        for (int k = 0; k < live.size(); k++) {
+            int i = live.index(k);
+            if (live.claim(i) == Claim.OWN) {
+                index[size] = i;
+                tau[size] = (live.timeUs[i] - along.referenceUs) * 1e-6f;
+                sign[size] = live.sign[i];
+                size++;
+            }
+        }
+        lay(along, reach);
+        sortByTile();
+    }
+
+    /** Lays the same events along another motion; their tiles stay. */
+    void lay(Motion motion, double reach) {
+        stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * reach, STEP_PX);
+        for (int k = 0; k < size; k++) {
+            int i = index[k];
+            stepped.advance(live.timeUs[i]);
+            x[k] = (float) stepped.x(live.x[i], live.y[i]);
+            y[k] = (float) stepped.y(live.x[i], live.y[i]);
+        }
+    }
+
+    private void sortByTile() {
+        Arrays.fill(events, 0);
+        for (int k = 0; k < size; k++) {
+            int column = Math.max(0, Math.min(columns - 1, ((int) Math.floor(x[k]) >> TILE_BITS) + MARGIN));
+            int row = Math.max(0, Math.min(rows - 1, ((int) Math.floor(y[k]) >> TILE_BITS) + MARGIN));
+            tile[k] = row * columns + column;
+            events[tile[k]]++;
+        }
+    }
+
+    /**
+     * Finds how often the events of each tile meet where they were laid and moved back by a velocity in px/s; returns
+     * the metric of all.
+     */
+    double meet(double vx, double vy, long[] byTile) {
+        picture.clear();
+        for (int k = 0; k < size; k++) {
+            placeX[k] = MeetingPicture.place(x[k] - vx * tau[k]);
+            placeY[k] = MeetingPicture.place(y[k] - vy * tau[k]);
+            picture.add(placeX[k], placeY[k], sign[k]);
+        }
+        Arrays.fill(byTile, 0);
+        long sum = 0;
+        for (int k = 0; k < size; k++) {
+            long its = picture.met(placeX[k], placeY[k], sign[k]);
+            byTile[tile[k]] += its;
+            sum += its;
+        }
+        return metric(sum);
+    }
+
+    /** What so many meetings are of a metric. */
+    static double metric(long met) {
+        return Math.scalb((double) met, -MeetingPicture.MET_BITS);
+    }
+
+    /** How many events there are. */
+    int size() {
+        return size;
+    }
+
+    /** How many a tile has. */
+    int events(int t) {
+        return events[t];
+    }
+
+    /** Index of the k-th event among the live ones. */
+    int index(int k) {
+        return index[k];
+    }
+
+    /** Where it was laid, in px. */
+    float x(int k) {
+        return x[k];
+    }
+
+    float y(int k) {
+        return y[k];
+    }
+
+    /** Its time from the middle of the window in s. */
+    float tauS(int k) {
+        return tau[k];
+    }
+
+    /** Its polarity, 1 or -1. */
+    byte sign(int k) {
+        return sign[k];
+    }
+
+    /** Its tile. */
+    int tile(int k) {
+        return tile[k];
+    }
+}
