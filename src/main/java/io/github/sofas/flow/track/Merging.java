@@ -120,7 +120,7 @@ final class Merging {
         }
         body.take(older.live(), older.motion(), younger.live(), younger.motion(),
             Math.max(a.contour().radius(), b.contour().radius()));
-        boolean areOne = mayGrow && body.growsOrShrinks(fit) || body.turnsAsShown(fit) || part.note(older.id(),
+        boolean areOne = mayGrow && body.growsOrShrinks(fit) || part.note(older.id(),
             travelPx < EDGES_TRAVEL_PX ? OneBody.NOTHING : body.sigmasGained(fit), nowUs);
         if (areOne) {
             bond = Bond.BODY;

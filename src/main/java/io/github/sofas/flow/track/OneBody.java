@@ -12,9 +12,6 @@ import io.github.sofas.flow.motion.SteppedProjection;
  * neither rotation nor growth. Some rotation and growth explain any two velocities, but two bodies that do neither lose
  * by them. The reverse of {@link TwoBodies}.
  *
- * <p>Where one of the two shows by itself that it turns, and the other moves as that would take it along, it need not
- * gain: a small piece meets as often by any rotation.
- *
  * <p>The straight or round sides of what comes near lose nothing by velocities of their own. But they all cover what is
  * behind them, so that they give events of one polarity, and go apart; of what goes away they uncover it, and go
  * together. Bodies that move on give events of either polarity, because they uncover behind them what they cover.
@@ -31,12 +28,6 @@ final class OneBody {
     private static final double MOST_TURN = 0.5;
     /** Share of the metric of both that the motion has which their velocities ask for: most two bodies have less. */
     private static final double LEAST_SHARE = 0.8;
-    /** Shift of the border by its own rotation, in px, at the ends of the window that shows it. */
-    private static final double SHOWN_PX = 1.5;
-    /** What rotation and growth that the two velocities ask for may be off those that one shows, of its rotation. */
-    private static final double MOST_OFF = 0.25;
-    /** Standard deviations that what turns as shown may lose by one motion. */
-    private static final double MOST_LOST_AS_SHOWN = 1;
     /** Fewest live events of either part of what grows or shrinks. */
     private static final int LEAST_GROWING_EVENTS = 100;
     /** Growths that it is started with, of that which the two velocities ask for. */
@@ -90,31 +81,12 @@ final class OneBody {
 
     /** What the metric of their events gains by one motion, in standard deviations, or {@link #NOTHING}. */
     double sigmasGained(MetricFit fit) {
-        return begin(LEAST_EVENTS, fit) && isTold() ? gainedTurning(fit) : NOTHING;
-    }
-
-    /** The same along the one motion that was begun with. */
-    private double gainedTurning(MetricFit fit) {
+        if (!begin(LEAST_EVENTS, fit) || !isTold()) {
+            return NOTHING;
+        }
         double separately = separately(fit);
         together(fit);
         return isWorse(separately, fit) ? NOTHING : gained(true, fit);
-    }
-
-    /**
-     * Whether one moves as the rotation that the other shows by itself, the one of more events, would take it along,
-     * and their events meet as often by one motion.
-     */
-    boolean turnsAsShown(MetricFit fit) {
-        return begin(LEAST_EVENTS, fit) && isTold() && asksForWhatIsShown()
-            && gainedTurning(fit) > -MOST_LOST_AS_SHOWN;
-    }
-
-    /** Whether the larger part turns, and shows about the rotation and growth that the two velocities ask for. */
-    private boolean asksForWhatIsShown() {
-        Motion shown = (one.live.size() > other.live.size() ? one : other).motion;
-        double turn = Math.abs(shown.omega);
-        return turn * half * radius >= SHOWN_PX
-            && Math.hypot(motion.omega - shown.omega, motion.growth - shown.growth) <= MOST_OFF * turn;
     }
 
     /**

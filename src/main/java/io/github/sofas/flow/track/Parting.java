@@ -60,8 +60,8 @@ final class Parting {
     private final Motion motionOfPart = new Motion();
     private final Motion rest = new Motion();
 
-    Parting(SensorSize sensor) {
-        two = new TwoBodies(new TiledEvents(sensor));
+    Parting(SensorSize sensor, TiledEvents tiled) {
+        two = new TwoBodies(tiled);
         columns = cells(sensor.width());
         rows = cells(sensor.height());
         events = new int[columns * rows];
@@ -77,7 +77,7 @@ final class Parting {
     /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return Integer.BYTES * (4L * cells(sensor.width()) * cells(sensor.height()) + LiveEvents.CAPACITY)
-            + TwoBodies.bytes(sensor) + TiledEvents.bytes(sensor);
+            + TwoBodies.bytes(sensor);
     }
 
     /** Motion of the part that was found last, in the middle of the window of the live events. */

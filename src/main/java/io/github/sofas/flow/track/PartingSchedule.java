@@ -32,10 +32,15 @@ final class PartingSchedule {
         return (nowUs - askedUs) * 1e-6 * speed >= EVERY_PX;
     }
 
-    /** Begins to ask; returns whether it is time to ask for two. */
-    boolean begin(long nowUs) {
+    /** Begins to ask. */
+    void begin(long nowUs) {
         askedUs = nowUs;
-        return --untilTwo <= 0;
+        untilTwo--;
+    }
+
+    /** Whether it is to be asked whether it is two, too. */
+    boolean isForTwo() {
+        return untilTwo <= 0;
     }
 
     /** Notes the answer where it was asked whether it is two. */

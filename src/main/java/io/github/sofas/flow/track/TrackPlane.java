@@ -33,6 +33,8 @@ public final class TrackPlane {
     private static final int ADRIFT_PART = 2;
     /** Standard deviations of the metric that a shift of both ends of the window by a pixel loses where it is known. */
     private static final double KNOWN_SIGMAS = 1;
+    /** Travel from which on the motion explains the events of another structure, in px. */
+    private static final double TAKING_TRAVEL_PX = 6;
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
@@ -437,19 +439,25 @@ public final class TrackPlane {
         schedule.askSoonForTwo();
     }
 
+    /** Whether it has travelled so far since it was asked last that it is to be asked again what it is made of. */
+    boolean beginsToPart(long nowUs) {
+        boolean isDue = state == State.TRACKED && schedule.isDue(speed(), nowUs);
+        if (isDue) {
+            schedule.begin(nowUs);
+        }
+        return isDue;
+    }
+
     /**
-     * Looks every few px of travel whether a part of the structure is a body of its own, and notes if it is clearly one
-     * body. Of a dense structure only some tiles are known, by which nothing lies apart, and nothing is given up.
+     * Looks whether a part of the structure is a body of its own, and notes if it is clearly one body. Of a dense
+     * structure only some tiles are known, by which nothing lies apart, and nothing is given up.
      *
      * @return whether there is a part, which is to be given up to another plane
      */
-    boolean findPart(Parting parting, MetricFit fit, long nowUs) {
+    boolean findPart(Parting parting, MetricFit fit) {
         LiveEvents live = recentring.live();
-        if (state != State.TRACKED || !schedule.isDue(speed(), nowUs)) {
-            return false;
-        }
         boolean hasAllTiles = live.thinning() == 1;
-        boolean mayBeTwo = schedule.begin(nowUs) && measurement().isPredictive() && measurement().isSharp();
+        boolean mayBeTwo = schedule.isForTwo() && measurement().isPredictive() && measurement().isSharp();
         if (hasAllTiles && parting.findApart(live, motion, contour.radius(), fit)) {
             if (mayBeTwo) {
                 schedule.note(false);
@@ -457,6 +465,23 @@ public final class TrackPlane {
             return true;
         }
         return mayBeTwo && areTwo(parting, fit) && hasAllTiles;
+    }
+
+    /** Begins to ask whether others take it over; false of a dense structure, of which only some tiles are known. */
+    boolean offerTo(TakenOver taken) {
+        LiveEvents live = recentring.live();
+        return live.thinning() == 1 && taken.begin(live, motion, contour.radius());
+    }
+
+    /** Whether its motion changes by half of its speed within a trace, as that of what turns back. */
+    boolean isBent() {
+        return Candidates.isBent(this, (int) motion.centreX, (int) motion.centreY, motion.referenceUs);
+    }
+
+    /** Whether its motion is known so well that it may explain the events of another structure. */
+    boolean mayTakeOver(long nowUs) {
+        return state == State.TRACKED && isVelocityKnown() && measurement().isSharp() && isPredictive()
+            && travelPx(nowUs) >= TAKING_TRAVEL_PX;
     }
 
     /**

@@ -36,6 +36,7 @@ public final class TrackPlaneStack {
     private LiveEvents spare = new LiveEvents();
     private final Merging merging = new Merging();
     private final Parting parting;
+    private final TakenOver taken;
     /** For the next part: until planes are adopted, those that are not used may be another thread's. */
     private TrackPlane forPart;
     private final Doubts doubts;
@@ -59,7 +60,9 @@ public final class TrackPlaneStack {
         this.fit = fit;
         this.ended = ended;
         found = new FoundPlanes(sensor, p, foundFit, measured);
-        parting = new Parting(sensor);
+        TiledEvents tiled = new TiledEvents(sensor);
+        parting = new Parting(sensor, tiled);
+        taken = new TakenOver(tiled);
         doubts = new Doubts(sensor);
         history = new PixelHistory(sensor);
         bursts = new Bursts(sensor);
@@ -72,8 +75,8 @@ public final class TrackPlaneStack {
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
         // one more plane, for a part, one more ring, for merging, and bursts of what is found and of what is tracked
         return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
-            + Parting.bytes(sensor) + Doubts.bytes(sensor) + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor)
-            + NoiseRate.bytes(sensor);
+            + TiledEvents.bytes(sensor) + Parting.bytes(sensor) + TakenOver.bytes(sensor) + Doubts.bytes(sensor)
+            + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor) + NoiseRate.bytes(sensor);
     }
 
     /**
@@ -163,8 +166,8 @@ public final class TrackPlaneStack {
     }
 
     /**
-     * From time to time removes planes whose structures are gone, parts those that hold two, and merges those that
-     * describe one.
+     * From time to time removes planes whose structures are gone, lets others take over what is theirs, parts planes
+     * that hold two, and merges those that describe one.
      */
     public void check(long nowUs) {
         if (nowUs < nextCheckUs) {
@@ -181,8 +184,9 @@ public final class TrackPlaneStack {
                 planes[i].measureIfLate(fit, nowUs);
             }
         }
-        for (int i = size - 1; i >= 0 && forPart != null && size < planes.length; i--) {
-            if (planes[i].findPart(parting, fit, nowUs)) {
+        for (int i = size - 1; i >= 0; i--) {
+            if (planes[i].beginsToPart(nowUs) && !isTakenOver(i, nowUs) && forPart != null && size < planes.length
+                    && planes[i].findPart(parting, fit)) {
                 planes[i].giveUp(parting, forPart, fit, nowUs);
                 add(forPart);
                 forPart = null;
@@ -200,11 +204,47 @@ public final class TrackPlaneStack {
     /** Whether others lie where they may hide a part of a plane's structure. */
     private boolean isHidden(int i, long nowUs) {
         for (int j = 0; j < size; j++) {
-            if (j != i && planes[i].contour().isWithin(HIDDEN_PX, planes[j].contour(), nowUs)) {
+            if (areNear(i, j, nowUs)) {
                 return true;
             }
         }
         return false;
+    }
+
+    private boolean areNear(int i, int j, long nowUs) {
+        return j != i && planes[i].contour().isWithin(HIDDEN_PX, planes[j].contour(), nowUs);
+    }
+
+    /** Whether a plane is made of parts of those around it; if so, they take it over, and it ends. */
+    private boolean isTakenOver(int i, long nowUs) {
+        TrackPlane plane = planes[i];
+        if (!plane.offerTo(taken)) {
+            return false;
+        }
+        for (int j = 0; j < size; j++) {
+            if (areNear(i, j, nowUs) && planes[j].mayTakeOver(nowUs)) {
+                taken.offer(planes[j].motion(), j);
+            }
+        }
+        if (!taken.isExplained()) {
+            return false;
+        }
+        TrackPlane heir = planes[taken.heir()];
+        if (plane.isBent() && heir.id() > plane.id()) {
+            // what turned back keeps its number where its new motion was found first by a younger one
+            return false;
+        }
+        takeOver(plane.live(), nowUs);
+        end(i, Segment.Fate.MERGED, heir.id());
+        return true;
+    }
+
+    /** Gives the events of a plane to those that explain them. */
+    private void takeOver(LiveEvents live, long nowUs) {
+        for (int k = 0; k < taken.size(); k++) {
+            int event = taken.index(k);
+            planes[taken.owner(k)].see(live.x[event], live.y[event], live.timeUs[event], live.sign[event], nowUs);
+        }
     }
 
     private void add(TrackPlane plane) {

@@ -6,7 +6,6 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
-import java.util.Collections;
 import java.util.Random;
 import org.junit.Test;
 
@@ -21,8 +20,6 @@ public class OneBodyTest {
     private static final double MIDDLE_X = 56;
     private static final double MIDDLE_Y = 44;
     private static final double SIDE = 24;
-    /** Five dots in one place, which meet as often by any rotation. */
-    private static final double[][] PIECE = Collections.nCopies(5, new double[] {SIDE / 2, 0}).toArray(double[][]::new);
 
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
     private final OneBody body = new OneBody();
@@ -31,25 +28,16 @@ public class OneBodyTest {
     private final Motion ofLeft = new Motion();
     private final Motion ofRight = new Motion();
 
-    /** Places of chance in a square, about the middle of both. */
-    private static double[][] square(int dots, double side) {
+    /** Dots of a square that moves by itself, and turns and grows about the middle of both. */
+    private static void move(LiveEvents live, double side, double vx, double vy, double omega, double growth) {
         Random random = new Random(1);
+        int dots = 90;
         double[][] places = new double[dots][];
+        int[] column = new int[dots];
+        int[] row = new int[dots];
         for (int dot = 0; dot < dots; dot++) {
             places[dot] = new double[] {side + SIDE * random.nextDouble(), SIDE * (random.nextDouble() - 0.5)};
         }
-        return places;
-    }
-
-    /** Dots of a square that moves by itself, and turns and grows about the middle of both. */
-    private static void move(LiveEvents live, double side, double vx, double vy, double omega, double growth) {
-        move(live, square(90, side), vx, vy, omega, growth);
-    }
-
-    private static void move(LiveEvents live, double[][] places, double vx, double vy, double omega, double growth) {
-        int dots = places.length;
-        int[] column = new int[dots];
-        int[] row = new int[dots];
         for (long t = 0; t < END_US; t += 50) {
             double s = t * 1e-6 - HALF_S;
             double scale = Math.exp(growth * s);
@@ -101,49 +89,6 @@ public class OneBodyTest {
         assertEquals(0, body.motion().omega, 0.05);
         assertEquals(1, body.motion().growth, 0.05);
         assertEquals(VX, body.motion().vxAt((int) MIDDLE_X, (int) MIDDLE_Y, END_US / 2), 1);
-    }
-
-    /** Asks of a square that turns by 1 rad/s, as it shows or not, and of dots beside it that do not. */
-    private boolean turnsAsShown(double shownRadPerS, double[][] dots, double dotsVx, double dotsVy) {
-        left.clear();
-        right.clear();
-        move(left, -SIDE, VX, 0, 1, 0);
-        move(right, dots, dotsVx, dotsVy, 0, 0);
-        gained(VX, -SIDE / 2, dotsVx, dotsVy);
-        ofLeft.omega = (float) shownRadPerS;
-        return body.turnsAsShown(fit);
-    }
-
-    @Test
-    public void whatABodyThatTurnsWouldTakeAlongIsOfItThoughItGainsNothing() {
-        // 12 px from the middle it goes down by 12 px/s
-        assertTrue(turnsAsShown(1, PIECE, VX, SIDE / 2));
-        assertEquals(1, body.motion().omega, 0.05);
-        assertTrue(body.sigmasGained(fit) < 2);
-    }
-
-    @Test
-    public void whatMovesOtherwiseThanABodyThatTurnsWouldTakeItIsNot() {
-        // 0.7 rad/s, or a growth of 0.3 beside 1 rad/s
-        assertFalse(turnsAsShown(1, PIECE, VX, 0.2 * SIDE));
-        assertFalse(turnsAsShown(1, PIECE, VX + 0.3 * SIDE, SIDE / 2));
-    }
-
-    @Test
-    public void rotationThatIsNotShownTakesNothingAlong() {
-        assertFalse(turnsAsShown(0, PIECE, VX, SIDE / 2));
-        // 1.3 and 1.6 px at the border, as the dots were seen for 188 ms
-        ofLeft.omega = 1;
-        body.take(left, ofLeft, right, ofRight, 14);
-        assertFalse(body.turnsAsShown(fit));
-        body.take(left, ofLeft, right, ofRight, 17);
-        assertTrue(body.turnsAsShown(fit));
-    }
-
-    @Test
-    public void bodyThatDoesNotTurnIsNotTakenAlong() {
-        // as fast as it would be, but its dots meet less often where they turn
-        assertFalse(turnsAsShown(1, square(45, 0), VX, SIDE / 2));
     }
 
     @Test

@@ -31,7 +31,8 @@ public class PartingScheduleTest {
     private List<Integer> askedForTwo(int times, boolean isClearlyOne) {
         List<Integer> asked = new ArrayList<>();
         for (int k = 1; k <= times; k++) {
-            if (schedule.begin(0)) {
+            schedule.begin(0);
+            if (schedule.isForTwo()) {
                 asked.add(k);
                 schedule.note(isClearlyOne);
             }
@@ -58,7 +59,9 @@ public class PartingScheduleTest {
 
     @Test
     public void questionThatCouldNotBeAskedIsAskedTheNextTime() {
-        assertTrue(schedule.begin(0));
-        assertTrue(schedule.begin(0));
+        schedule.begin(0);
+        assertTrue(schedule.isForTwo());
+        schedule.begin(0);
+        assertTrue(schedule.isForTwo());
     }
 }

@@ -24,7 +24,7 @@ public class PartingTest {
     private static final int SMALL_TOP = 60;
 
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
-    private final Parting parting = new Parting(SENSOR);
+    private final Parting parting = new Parting(SENSOR, new TiledEvents(SENSOR));
     private final List<long[]> events = new ArrayList<>();
     private final LiveEvents live = new LiveEvents();
     private final Motion motion = new Motion();

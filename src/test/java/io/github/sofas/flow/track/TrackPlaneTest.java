@@ -367,8 +367,9 @@ public class TrackPlaneTest {
             take(100, y, 20_000, 1, Claim.OWN);
         }
         assertEquals(measurements, measuredUs.size());
-        Parting parting = new Parting(SENSOR);
-        assertTrue(plane.findPart(parting, fit, 40_000));
+        Parting parting = new Parting(SENSOR, new TiledEvents(SENSOR));
+        assertTrue(plane.beginsToPart(40_000));
+        assertTrue(plane.findPart(parting, fit));
         TrackPlane part = new TrackPlane(SENSOR, new Contour.Spare(SENSOR), SofasParameters.defaults().track(),
             (segment, motion) -> { });
         plane.giveUp(parting, part, fit, 40_000);
