@@ -34,8 +34,11 @@ final class TakenOver {
     private final Motion others = new Motion();
     private double radius;
     private double half;
+    private LiveEvents live;
+    /** Metric of the events along their own motion. */
     private double own;
-    private boolean any;
+    /** Whether it was asked with the motion of any other. */
+    private boolean isAsked;
 
     TakenOver(TiledEvents tiled) {
         this.tiled = tiled;
@@ -52,13 +55,14 @@ final class TakenOver {
     /**
      * Begins to ask.
      *
-     * @param live the events of the structure
+     * @param events of the structure
      * @param motion of the structure
      * @param reach its radius in px
      * @return whether its events are enough, and not more than can be measured at once
      */
-    boolean begin(LiveEvents live, Motion motion, double reach) {
-        any = false;
+    boolean begin(LiveEvents events, Motion motion, double reach) {
+        live = events;
+        isAsked = false;
         if (live.size() < LEAST_EVENTS || live.size() > Measurement.MOST_EVENTS) {
             return false;
         }
@@ -66,11 +70,7 @@ final class TakenOver {
         radius = reach;
         along.copyFrom(motion);
         along.moveReference(live.middleUs());
-        tiled.take(live, along, radius);
-        own = tiled.meet(0, 0, met);
-        Arrays.fill(best, Long.MIN_VALUE);
-        Arrays.fill(owner, NOBODY);
-        return tiled.size() >= LEAST_EVENTS;
+        return true;
     }
 
     /**
@@ -86,7 +86,10 @@ final class TakenOver {
                 || along.speedFrom(others, radius) * half < LEAST_APART_PX) {
             return;
         }
-        any = true;
+        if (!isAsked) {
+            // most structures have no others about them, or none that move otherwise
+            lay();
+        }
         double reach = radius + Math.hypot(others.centreX - along.centreX, others.centreY - along.centreY);
         tiled.lay(others, reach);
         tiled.meet(0, 0, met);
@@ -98,13 +101,24 @@ final class TakenOver {
         }
     }
 
+    private void lay() {
+        isAsked = true;
+        tiled.take(live, along, radius);
+        own = tiled.meet(0, 0, met);
+        Arrays.fill(best, Long.MIN_VALUE);
+        Arrays.fill(owner, NOBODY);
+    }
+
     /** Whether its events meet as often along the motions of the others. */
     boolean isExplained() {
+        if (!isAsked || tiled.size() < LEAST_EVENTS) {
+            return false;
+        }
         long sum = 0;
-        for (int t = 0; t < best.length && any; t++) {
+        for (int t = 0; t < best.length; t++) {
             sum += tiled.events(t) > 0 ? best[t] : 0;
         }
-        return any && TiledEvents.metric(sum) >= own;
+        return TiledEvents.metric(sum) >= own;
     }
 
     /** Number of the structure whose tiles have most of the events. */

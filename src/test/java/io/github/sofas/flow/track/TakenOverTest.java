@@ -96,8 +96,10 @@ public class TakenOverTest {
 
     @Test
     public void fewEventsOfItsOwnTellNothing() {
-        dots.move(90, MIDDLE_X, 0, 0);
-        assertFalse(begin(Claim.SHARED));
+        dots.move(90, MIDDLE_X, VY, 0);
+        assertTrue(begin(Claim.SHARED));
+        taken.offer(motion(VX, VY, 0), RIGHT);
+        assertFalse(taken.isExplained());
     }
 
     @Test
