@@ -19,7 +19,6 @@ final class TakenOver {
     private static final double LEAST_APART_PX = 0.5;
     /** The same of its centre, at most: farther off are false tops. */
     private static final double MOST_APART_PX = 6;
-    private static final byte NOBODY = -1;
     /** Numbers by which others are known. */
     private static final int NUMBERS = Byte.MAX_VALUE + 1;
 
@@ -106,7 +105,6 @@ final class TakenOver {
         tiled.take(live, along, radius);
         own = tiled.meet(0, 0, met);
         Arrays.fill(best, Long.MIN_VALUE);
-        Arrays.fill(owner, NOBODY);
     }
 
     /** Whether its events meet as often along the motions of the others. */
@@ -116,7 +114,7 @@ final class TakenOver {
         }
         long sum = 0;
         for (int t = 0; t < best.length; t++) {
-            sum += tiled.events(t) > 0 ? best[t] : 0;
+            sum += best[t];
         }
         return TiledEvents.metric(sum) >= own;
     }
@@ -126,10 +124,8 @@ final class TakenOver {
         Arrays.fill(share, 0);
         int heir = 0;
         for (int t = 0; t < owner.length; t++) {
-            if (tiled.events(t) > 0) {
-                share[owner[t]] += tiled.events(t);
-                heir = share[owner[t]] > share[heir] ? owner[t] : heir;
-            }
+            share[owner[t]] += tiled.events(t);
+            heir = share[owner[t]] > share[heir] ? owner[t] : heir;
         }
         return heir;
     }

@@ -44,7 +44,6 @@ final class TwoBodies {
 
     /** The events that the structure alone claims. */
     private final TiledEvents tiled;
-    private int size;
     private double middleX;
     private double middleY;
     private double radius;
@@ -129,9 +128,8 @@ final class TwoBodies {
         }
         along.moveReference(live.middleUs());
         tiled.take(live, along, reach);
-        size = tiled.size();
         findMiddle();
-        if (size < 2 * LEAST_EVENTS || turnPx(radius) < LEAST_TURN_PX) {
+        if (tiled.size() < 2 * LEAST_EVENTS || turnPx(radius) < LEAST_TURN_PX) {
             return false;
         }
         double sd = MetricFit.sd(tiled.meet(0, 0, met));
@@ -168,14 +166,14 @@ final class TwoBodies {
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
-        for (int k = 0; k < size; k++) {
+        for (int k = 0; k < tiled.size(); k++) {
             sumX += tiled.x(k);
             sumY += tiled.y(k);
             squares += (double) tiled.x(k) * tiled.x(k) + (double) tiled.y(k) * tiled.y(k);
         }
-        middleX = sumX / size;
-        middleY = sumY / size;
-        radius = Math.sqrt(Math.max(0, squares / size - middleX * middleX - middleY * middleY));
+        middleX = sumX / tiled.size();
+        middleY = sumY / tiled.size();
+        radius = Math.sqrt(Math.max(0, squares / tiled.size() - middleX * middleX - middleY * middleY));
     }
 
     /** Gives the tiles on one side of a line through the middle to one body, and the rest to the other. */
@@ -183,7 +181,7 @@ final class TwoBodies {
         double dirX = StrictMath.cos(angle);
         double dirY = StrictMath.sin(angle);
         Arrays.fill(side, 0);
-        for (int k = 0; k < size; k++) {
+        for (int k = 0; k < tiled.size(); k++) {
             side[tiled.tile(k)] += (tiled.x(k) - middleX) * dirX + (tiled.y(k) - middleY) * dirY > 0 ? 1 : -1;
         }
         for (int t = 0; t < side.length; t++) {
@@ -198,7 +196,7 @@ final class TwoBodies {
         double sumX = 0;
         double sumY = 0;
         int its = 0;
-        for (int k = 0; k < size; k++) {
+        for (int k = 0; k < tiled.size(); k++) {
             if (isOf(body, k)) {
                 sumX += tiled.x(k) - middleX;
                 sumY += tiled.y(k) - middleY;
@@ -247,7 +245,7 @@ final class TwoBodies {
 
     private void measure(Body body, MetricFit fit, boolean exactly) {
         fit.clear();
-        for (int k = 0; k < size; k++) {
+        for (int k = 0; k < tiled.size(); k++) {
             if (isOf(body, k)) {
                 float tau = tiled.tauS(k);
                 fit.add((float) (tiled.x(k) - body.vx * tau), (float) (tiled.y(k) - body.vy * tau), tau, 0, 0,
@@ -268,14 +266,14 @@ final class TwoBodies {
     /** Whether both have events enough, and velocities that differ, but not so far that one may be a false top. */
     private boolean areTwo() {
         double apart = Math.hypot(second.vx - first.vx, second.vy - first.vy) * half;
-        return Math.min(ofSecond, size - ofSecond) >= LEAST_EVENTS && apart >= LEAST_APART_PX
+        return Math.min(ofSecond, tiled.size() - ofSecond) >= LEAST_EVENTS && apart >= LEAST_APART_PX
             && apart <= MOST_APART_PX;
     }
 
     private void keep() {
-        Body few = 2 * ofSecond <= size ? second : first;
+        Body few = 2 * ofSecond <= tiled.size() ? second : first;
         Arrays.fill(isOfSmaller, false);
-        for (int k = 0; k < size; k++) {
+        for (int k = 0; k < tiled.size(); k++) {
             isOfSmaller[tiled.index(k)] = isOf(few, k);
         }
         take(few, smaller);
