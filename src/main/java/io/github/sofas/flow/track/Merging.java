@@ -48,6 +48,9 @@ final class Merging {
      */
     private static final double GROWING_TRAVEL_PX = 2;
 
+    /** Share of its metric that either part of what turns loses by one velocity at most, to second order. */
+    private static final double MOST_LOST_TURNING = 0.6;
+
     /** By what two planes are one. */
     enum Bond {
         /** They move alike. */
@@ -109,9 +112,10 @@ final class Merging {
         TrackPlane older = younger == a ? b : a;
         OtherPart part = younger.otherPart();
         double travelPx = Math.min(a.travelPx(nowUs), b.travelPx(nowUs));
-        boolean mayGrow = a.commonPolarity() * b.commonPolarity() > 0;
-        if (travelPx < (mayGrow ? GROWING_TRAVEL_PX : EDGES_TRAVEL_PX)
-                || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
+        boolean mayGrow = travelPx >= GROWING_TRAVEL_PX && a.commonPolarity() * b.commonPolarity() > 0;
+        // what moves so differently that it loses more is two bodies, though a rotation explains that for a while
+        boolean mayTurn = travelPx >= EDGES_TRAVEL_PX && common.lost() < MOST_LOST_TURNING;
+        if (!mayGrow && !mayTurn || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
             return false;
         }
         if (a.live().thinning() > 1 || b.live().thinning() > 1) {
@@ -120,8 +124,8 @@ final class Merging {
         }
         body.take(older.live(), older.motion(), younger.live(), younger.motion(),
             Math.max(a.contour().radius(), b.contour().radius()));
-        boolean areOne = mayGrow && body.growsOrShrinks(fit) || part.note(older.id(),
-            travelPx < EDGES_TRAVEL_PX ? OneBody.NOTHING : body.sigmasGained(fit), nowUs);
+        boolean areOne = mayGrow && body.growsOrShrinks(fit)
+            || part.note(older.id(), mayTurn ? body.sigmasGained(fit) : OneBody.NOTHING, nowUs);
         if (areOne) {
             bond = Bond.BODY;
         }

@@ -6,6 +6,7 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.Segment;
+import io.github.sofas.flow.fit.MotionLoss;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
 import org.junit.Test;
@@ -179,5 +180,34 @@ public class MergingTest {
     public void bodiesWithEdgesOfEitherPolarityAsFarFromEachOtherStayTwo() {
         // a third of the one fires OFF, of the other ON
         assertEquals(List.of(1, 2), idsAfter(y -> y % 3 == 0 ? -1 : 1, y -> y % 3 == 0 ? 1 : -1, 12));
+    }
+
+    /** A square of dots of a polarity that turns about its right or left side, at 4 rad/s. */
+    private TrackPlane turningSquare(double left, int polarity) {
+        MovingDots dots = new MovingDots();
+        dots.move(90, MovingDots.MIDDLE_X + left, 0, 4);
+        LiveEvents events = new LiveEvents();
+        dots.addTo(events, Claim.OWN);
+        edges.nowUs = MovingDots.END_US;
+        TrackPlane plane = edges.stack.found().create(edges.nowUs, MovingDots.VX, 4 * (left + MovingDots.SIDE / 2));
+        for (int k = 0; k < events.size(); k++) {
+            int i = events.index(k);
+            plane.addPast(events.x[i], events.y[i], events.timeUs[i], polarity, true);
+        }
+        edges.stack.found().begin(plane, edges.nowUs);
+        edges.stack.adopt();
+        return plane;
+    }
+
+    @Test
+    public void partsOfWhatTurnsAreOneUnlessTheyLoseMostOfTheirMetricByOneVelocity() {
+        TrackPlane left = turningSquare(-MovingDots.SIDE, 1);
+        TrackPlane right = turningSquare(0, -1);
+        MotionLoss loss = right.measurement().loss();
+        double metric = loss.metric;
+        loss.metric = metric / 20;
+        assertEquals("px until they are one", 0, oneAfterPx(new Merging(), left, right), 0);
+        loss.metric = metric;
+        assertTrue("they are one", oneAfterPx(new Merging(), left, right) > 0);
     }
 }
