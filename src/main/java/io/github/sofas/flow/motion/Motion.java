@@ -115,6 +115,13 @@ public final class Motion {
             + deformation.vy(rx, ry));
     }
 
+    /** Whether the velocity of a point changes by more than half of its speed while it travels so many px. */
+    public boolean bendsWithin(double px, int x, int y, long timeUs) {
+        double pointVx = vxAt(x, y, timeUs);
+        double pointVy = vyAt(x, y, timeUs);
+        return Math.hypot(ax, ay) * 2 * px > pointVx * pointVx + pointVy * pointVy;
+    }
+
     /**
      * A speed in px/s that a point is no faster than from one time until another, in which it travels, turns and grows
      * by less than its distance from the centre.

@@ -109,7 +109,7 @@ final class Candidates {
     TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
                           int polarity) {
         int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS, x, y, timeUs);
-        if (!isOfferedBeside(remembering) && (least < DARK_TRACE || isBent(remembering, x, y, timeUs))) {
+        if (!isOfferedBeside(remembering) && (least < DARK_TRACE || remembering.isBent(x, y, timeUs))) {
             return remembering;
         }
         int trace = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
@@ -122,20 +122,10 @@ final class Candidates {
             || history.trace(x, y, timeUs, polarity, its.motion()) >= leastOfOther ? its : null;
     }
 
-    /** Whether the plane's motion changes by half of its speed within a trace: its edge came another way. */
-    static boolean isBent(TrackPlane plane, int x, int y, long timeUs) {
-        return Math.hypot(plane.motion().ax, plane.motion().ay) * 2 * PixelHistory.TRACE_PX
-            > squareSpeed(plane, x, y, timeUs);
-    }
-
     private static int noiseTrace(TrackPlane plane, double noise, double sigmas, int x, int y, long timeUs) {
-        return Noise.trace(noise, Math.sqrt(squareSpeed(plane, x, y, timeUs)), sigmas);
-    }
-
-    private static double squareSpeed(TrackPlane plane, int x, int y, long timeUs) {
         double vx = plane.motion().vxAt(x, y, timeUs);
         double vy = plane.motion().vyAt(x, y, timeUs);
-        return vx * vx + vy * vy;
+        return Noise.trace(noise, Math.sqrt(vx * vx + vy * vy), sigmas);
     }
 
     private boolean isOfferedBeside(TrackPlane plane) {

@@ -473,9 +473,14 @@ public final class TrackPlane {
         return live.thinning() == 1 && taken.begin(live, motion, contour.radius());
     }
 
-    /** Whether its motion changes by half of its speed within a trace, as that of what turns back. */
+    /** Whether its motion changes at a place by half of its speed within a trace: an edge there came another way. */
+    boolean isBent(int x, int y, long timeUs) {
+        return motion.bendsWithin(PixelHistory.TRACE_PX, x, y, timeUs);
+    }
+
+    /** The same in its middle, as that of what turns back. */
     boolean isBent() {
-        return Candidates.isBent(this, (int) motion.centreX, (int) motion.centreY, motion.referenceUs);
+        return isBent((int) motion.centreX, (int) motion.centreY, motion.referenceUs);
     }
 
     /** Whether its motion is known so well that it may explain the events of another structure. */

@@ -106,7 +106,7 @@ public final class TrackPlaneStack {
                 best = candidates.unexpected(best, history, noise.perUs(), x, y, timeUs, polarity);
             }
             // what turns back comes to where its contour was
-            isDoubtful = best != null && !Candidates.isBent(best, x, y, timeUs);
+            isDoubtful = best != null && !best.isBent(x, y, timeUs);
             claim = Claim.REMEMBERED;
         } else {
             isDoubtful = candidates.isDoubtful();

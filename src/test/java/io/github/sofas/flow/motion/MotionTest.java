@@ -1,6 +1,7 @@
 package io.github.sofas.flow.motion;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.motion.PlainMotion.Place;
@@ -33,6 +34,17 @@ public class MotionTest {
         assertEquals(-3.8, motion.centreY, 1e-9);
         assertEquals(90, motion.vx, 1e-9);
         assertEquals(-18, motion.vy, 1e-9);
+    }
+
+    @Test
+    public void bendsWhereItGainsMoreThanHalfOfItsSpeedInSoManyPx() {
+        Motion motion = new Motion();
+        motion.set(0, 60, 80);
+        // 8 px take 80 ms, in which 625 px/s2 are half of 100 px/s
+        motion.ax = 624;
+        assertFalse(motion.bendsWithin(8, 7, 9, 0));
+        motion.ax = 626;
+        assertTrue(motion.bendsWithin(8, 7, 9, 0));
     }
 
     @Test
