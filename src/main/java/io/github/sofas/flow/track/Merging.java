@@ -113,7 +113,7 @@ final class Merging {
         OtherPart part = younger.otherPart();
         double travelPx = Math.min(a.travelPx(nowUs), b.travelPx(nowUs));
         boolean mayGrow = travelPx >= GROWING_TRAVEL_PX && a.commonPolarity() * b.commonPolarity() > 0;
-        // what moves so differently that it loses more is two bodies, though a rotation explains that for a while
+        // what loses more by the one velocity just asked for is two bodies, though a rotation explains it for a while
         boolean mayTurn = travelPx >= EDGES_TRAVEL_PX && common.lost() < MOST_LOST_TURNING;
         if (!mayGrow && !mayTurn || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
             return false;
