@@ -186,14 +186,9 @@ public class MergingTest {
     private TrackPlane turningSquare(double left, int polarity) {
         MovingDots dots = new MovingDots();
         dots.move(90, MovingDots.MIDDLE_X + left, 0, 4);
-        LiveEvents events = new LiveEvents();
-        dots.addTo(events, Claim.OWN);
         edges.nowUs = MovingDots.END_US;
         TrackPlane plane = edges.stack.found().create(edges.nowUs, MovingDots.VX, 4 * (left + MovingDots.SIDE / 2));
-        for (int k = 0; k < events.size(); k++) {
-            int i = events.index(k);
-            plane.addPast(events.x[i], events.y[i], events.timeUs[i], polarity, true);
-        }
+        dots.addTo(plane, polarity);
         edges.stack.found().begin(plane, edges.nowUs);
         edges.stack.adopt();
         return plane;

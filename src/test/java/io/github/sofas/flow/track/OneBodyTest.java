@@ -1,12 +1,17 @@
 package io.github.sofas.flow.track;
 
+import static io.github.sofas.flow.track.MovingDots.END_US;
+import static io.github.sofas.flow.track.MovingDots.HALF_S;
+import static io.github.sofas.flow.track.MovingDots.MIDDLE_X;
+import static io.github.sofas.flow.track.MovingDots.MIDDLE_Y;
+import static io.github.sofas.flow.track.MovingDots.SIDE;
+import static io.github.sofas.flow.track.MovingDots.VX;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
-import java.util.Random;
 import org.junit.Test;
 
 /**
@@ -14,13 +19,6 @@ import org.junit.Test;
  * comes to another pixel. Both move to the right, about a middle at 80 px/s.
  */
 public class OneBodyTest {
-    private static final long END_US = 200_000;
-    private static final double HALF_S = END_US * 0.5e-6;
-    private static final double VX = 80;
-    private static final double MIDDLE_X = 56;
-    private static final double MIDDLE_Y = 44;
-    private static final double SIDE = 24;
-
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, TrackPlaneStack.MOST_MEASURED, 1900);
     private final OneBody body = new OneBody();
     private final LiveEvents left = new LiveEvents();
@@ -30,29 +28,9 @@ public class OneBodyTest {
 
     /** Dots of a square that moves by itself, and turns and grows about the middle of both. */
     private static void move(LiveEvents live, double side, double vx, double vy, double omega, double growth) {
-        Random random = new Random(1);
-        int dots = 90;
-        double[][] places = new double[dots][];
-        int[] column = new int[dots];
-        int[] row = new int[dots];
-        for (int dot = 0; dot < dots; dot++) {
-            places[dot] = new double[] {side + SIDE * random.nextDouble(), SIDE * (random.nextDouble() - 0.5)};
-        }
-        for (long t = 0; t < END_US; t += 50) {
-            double s = t * 1e-6 - HALF_S;
-            double scale = Math.exp(growth * s);
-            double cos = scale * Math.cos(omega * s);
-            double sin = scale * Math.sin(omega * s);
-            for (int dot = 0; dot < dots; dot++) {
-                int x = (int) Math.floor(MIDDLE_X + vx * s + cos * places[dot][0] - sin * places[dot][1]);
-                int y = (int) Math.floor(MIDDLE_Y + vy * s + sin * places[dot][0] + cos * places[dot][1]);
-                if (t > 0 && (x != column[dot] || y != row[dot])) {
-                    live.add(x, y, t, 1, Claim.OWN, 0);
-                }
-                column[dot] = x;
-                row[dot] = y;
-            }
-        }
+        MovingDots dots = new MovingDots();
+        dots.move(90, MIDDLE_X + side, vx, vy, omega, growth);
+        dots.addTo(live, Claim.OWN);
     }
 
     /** Asks of both, each with the velocity that its middle has. */
