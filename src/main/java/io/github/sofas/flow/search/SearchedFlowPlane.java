@@ -47,7 +47,7 @@ public final class SearchedFlowPlane {
      */
     public void take(int x, int y, long timeUs, int polarity, boolean isExplained, long measuringVotes) {
         add(x, y, timeUs, polarity, isExplained);
-        search.run(measuringVotes);
+        search.run(measuringVotes, timeUs);
     }
 
     private void add(int x, int y, long timeUs, int polarity, boolean isExplained) {
@@ -70,15 +70,15 @@ public final class SearchedFlowPlane {
     public void take(EventSlice slice, long measuringVotes) {
         int place = 0;
         for (int i = 0; i < slice.size(); i++) {
-            search(slice.place(i) - 1 - place, measuringVotes);
+            search(slice.place(i) - 1 - place, measuringVotes, slice.timeUs(i));
             place = slice.place(i);
             boolean isTaken = structures.takes(slice.x(i), slice.y(i), slice.timeUs(i), slice.sign(i));
             add(slice.x(i), slice.y(i), slice.timeUs(i), slice.sign(i), isTaken);
-            search(1, measuringVotes);
+            search(1, measuringVotes, slice.timeUs(i));
         }
         if (slice.labelled() > place) {
             settle(slice.untilUs());
-            search(slice.labelled() - place, measuringVotes);
+            search(slice.labelled() - place, measuringVotes, slice.untilUs());
         }
     }
 
@@ -88,9 +88,9 @@ public final class SearchedFlowPlane {
         }
     }
 
-    private void search(int events, long measuringVotes) {
+    private void search(int events, long measuringVotes, long nowUs) {
         for (int i = 0; i < events; i++) {
-            search.run(measuringVotes, false);
+            search.run(measuringVotes, nowUs, false);
         }
     }
 

@@ -99,9 +99,10 @@ public final class StructureSearch {
      * Looks for structures as far as is due with another event.
      *
      * @param measuringVotes votes that the measurements of track planes gave so far
+     * @param nowUs time of the event
      */
-    public void run(long measuringVotes) {
-        run(measuringVotes, true);
+    public void run(long measuringVotes, long nowUs) {
+        run(measuringVotes, nowUs, true);
     }
 
     /**
@@ -110,12 +111,12 @@ public final class StructureSearch {
      * @param spreads whether structures that are tracked may look around themselves, and be shown their parts; not
      *     while others track them
      */
-    void run(long measuringVotes, boolean spreads) {
+    void run(long measuringVotes, long nowUs, boolean spreads) {
         mayBeSpread = spreads;
         if (spreads && recognition.waits()) {
             recognition.show(plane.recent().newestUs());
         }
-        budget.earn(measuringVotes);
+        budget.earn(measuringVotes, nowUs);
         if (stage == Stage.TAKING_OVER) {
             takingOver.earn();
         }

@@ -12,13 +12,8 @@ final class TakingOver {
     private static final int HANDED_VOTES = 24;
     /** Most events that are gone through at once to be handed to a structure which is tracked, between two slices. */
     private static final int MOST_SEEN = 4096;
-    /**
-     * Votes that an event earns beside its own, since labels wait; and for each µs since the one before, because where
-     * few come there is time: of what a processor gives in that, about a third.
-     */
+    /** Votes that an event earns beside those of the search, since labels wait. */
     private static final int VOTES_PER_EVENT = 480;
-    private static final int VOTES_PER_US = 150;
-    private static final long MOST_EARNED_US = 100;
 
     private enum Stage { ASKING, HANDING, GATHERING, OVER }
 
@@ -35,7 +30,6 @@ final class TakingOver {
     private Structures.Structure structure;
     private double vx;
     private double vy;
-    private long earnedUs;
     /** Whether the structure got what surrounds it. */
     private boolean hasHanded;
     /** The next event of the flow plane that is looked at. */
@@ -56,13 +50,12 @@ final class TakingOver {
         vx = structureVx;
         vy = structureVy;
         begin();
-        surroundings.begin(vx, vy, earnedUs);
+        surroundings.begin(vx, vy, plane.recent().newestUs());
     }
 
     private void begin() {
         taken.clear();
         hasHanded = false;
-        earnedUs = plane.recent().newestUs();
         stage = Stage.ASKING;
     }
 
@@ -83,7 +76,7 @@ final class TakingOver {
             return false;
         }
         begin();
-        surroundings.begin(structure, earnedUs);
+        surroundings.begin(structure, plane.recent().newestUs());
         return true;
     }
 
@@ -109,9 +102,7 @@ final class TakingOver {
 
     /** Earns votes with another event. */
     void earn() {
-        long nowUs = plane.recent().newestUs();
-        budget.earnMore(VOTES_PER_EVENT + VOTES_PER_US * Math.min(MOST_EARNED_US, nowUs - earnedUs));
-        earnedUs = nowUs;
+        budget.earnMore(VOTES_PER_EVENT);
     }
 
     /**

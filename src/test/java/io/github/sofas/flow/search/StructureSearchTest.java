@@ -53,7 +53,7 @@ public class StructureSearchTest {
         for (int i = 0; i < 9 * ROWS; i++) {
             if (i == 8 * ROWS) {
                 plane.settle(71_000);
-                search.run(0);
+                search.run(0, 0);
             }
             if (i < 8 * ROWS || column) {
                 Event e = edge.get(i);
@@ -66,7 +66,7 @@ public class StructureSearchTest {
         }
         plane.takeOut(0, events, 0, ofAnother);
         for (int i = 0; i < 2_000; i++) {
-            search.run(0);
+            search.run(0, 0);
         }
         assertEquals("structures", 1, structures.begun);
         // the ring takes in what is left after 1/16 of the time of 6 px at 6.9 px/s: 55 ms
@@ -113,7 +113,7 @@ public class StructureSearchTest {
             int events = 0;
             while (structures.begun == 0) {
                 events++;
-                search.run(before + events * measuringVotes);
+                search.run(before + events * measuringVotes, 0);
                 assertTrue("never found", events < 10_000);
             }
             return events;
@@ -126,7 +126,7 @@ public class StructureSearchTest {
         // the dearest step: nine metrics of the edge's 270 events, each on two grids
         long mostAtOnce = 9 * 2 * 9 * ROWS;
         for (int i = 1; budget.structures.begun == 0; i++) {
-            budget.search.run(0);
+            budget.search.run(0, 0);
             assertTrue("votes after " + i + " events: " + budget.fit.votes(),
                 budget.fit.votes() <= 120L * i + mostAtOnce);
         }
@@ -146,7 +146,7 @@ public class StructureSearchTest {
     public void debtsArePaidByTheEventsThatFollow() {
         Budget budget = new Budget();
         // of 2,000 votes owed, 40 are paid with each of 50 events; then all 120 are the search's
-        budget.search.run(2_000);
+        budget.search.run(2_000, 0);
         int events = 1 + budget.eventsUntilFound(2_000, 0);
         int alone = new Budget().eventsUntilFound(0);
         assertTrue("more than 50 events: " + alone, alone > 50);
@@ -181,7 +181,7 @@ public class StructureSearchTest {
             long before = fit.votes();
             plane.settle(nowUs);
             for (int i = 0; i < 5_000; i++) {
-                search.run(0);
+                search.run(0, 0);
             }
             return fit.votes() - before;
         }
@@ -246,7 +246,7 @@ public class StructureSearchTest {
 
     private static void look(StructureSearch search, boolean nobodyTracks) {
         for (int i = 0; i < 2_000; i++) {
-            search.run(0, nobodyTracks);
+            search.run(0, 0, nobodyTracks);
         }
     }
 
@@ -312,7 +312,7 @@ public class StructureSearchTest {
                 plane.settle(timeUs);
             }
             int before = structures.handed;
-            search.run(0);
+            search.run(0, 0);
             most = Math.max(most, structures.handed - before);
         }
         assertTrue("begun", structures.begun > 0);

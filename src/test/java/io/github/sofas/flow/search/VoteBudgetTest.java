@@ -6,7 +6,10 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** What the search may spend: 120 votes an event, less up to 40 of those that measurements gave. */
+/**
+ * What the search may spend: 120 votes per event, less up to 40 of those that measurements gave, and 100 per µs between
+ * events.
+ */
 public class VoteBudgetTest {
     private final VoteBudget budget = new VoteBudget(1_000);
 
@@ -14,7 +17,7 @@ public class VoteBudgetTest {
     private int eventsUntilLeft(long measuringVotes) {
         int events = 0;
         while (!budget.isLeft()) {
-            budget.earn(measuringVotes);
+            budget.earn(measuringVotes, 0);
             events++;
         }
         return events;
@@ -22,7 +25,7 @@ public class VoteBudgetTest {
 
     @Test
     public void eachEventEarnsAHundredAndTwentyVotes() {
-        budget.earn(1_000);
+        budget.earn(1_000, 0);
         assertTrue(budget.isLeft());
         budget.spend(120);
         assertFalse(budget.isLeft());
@@ -38,7 +41,7 @@ public class VoteBudgetTest {
     @Test
     public void measurementsArePaidFirst() {
         // 30 votes are paid, 90 left
-        budget.earn(1_030);
+        budget.earn(1_030, 0);
         budget.spend(89);
         assertTrue(budget.isLeft());
         budget.spend(1);
@@ -47,7 +50,7 @@ public class VoteBudgetTest {
 
     @Test
     public void twoThirdsAreLeftHoweverMuchMeasurementsOwe() {
-        budget.earn(1_000_000);
+        budget.earn(1_000_000, 0);
         budget.spend(79);
         assertTrue(budget.isLeft());
         budget.spend(1);
@@ -56,7 +59,7 @@ public class VoteBudgetTest {
 
     @Test
     public void noMoreIsOwedThanAHundredThousand() {
-        budget.earn(1_000_000);
+        budget.earn(1_000_000, 0);
         budget.spend(80);
         // 40 of 100,000 are paid with each of 2,500 events, one of which was
         budget.spend(2_499 * 80);
@@ -66,7 +69,7 @@ public class VoteBudgetTest {
     @Test
     public void noMoreIsSavedThanFortyThousand() {
         for (int i = 0; i < 1_000; i++) {
-            budget.earn(1_000);
+            budget.earn(1_000, 0);
         }
         budget.spend(39_999);
         assertTrue(budget.isLeft());
@@ -75,11 +78,42 @@ public class VoteBudgetTest {
     }
 
     @Test
+    public void eachMicrosecondBetweenEventsEarnsAHundredVotes() {
+        budget.earn(1_000, 0);
+        budget.earn(1_000, 7);
+        budget.spend(2 * 120 + 700 - 1);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void longPauseEarnsAsMuchAsAHundredMicroseconds() {
+        budget.earn(1_000, 0);
+        budget.earn(1_000, 1_000_000);
+        budget.spend(2 * 120 + 10_000 - 1);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void timeThatBeginsAnewEarnsNothing() {
+        budget.earn(1_000, 50);
+        budget.clear();
+        budget.earn(1_000, 10);
+        budget.spend(119);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
     public void clearedBudgetOwesNothing() {
-        budget.earn(5_000);
+        budget.earn(5_000, 0);
         budget.clear();
         assertFalse(budget.isLeft());
-        budget.earn(5_000);
+        budget.earn(5_000, 0);
         budget.spend(119);
         assertTrue(budget.isLeft());
     }
