@@ -21,7 +21,7 @@ final class VoteBudget {
 
     /** Votes of measurements that are known of. */
     private long measured;
-    /** Time of the last event. */
+    /** Time of the last event, 0 before the first. */
     private long earnedUs;
     private long saved;
     private long owed;
@@ -67,9 +67,10 @@ final class VoteBudget {
         return saved > 0;
     }
 
-    /** Forgets what is saved and owed. */
+    /** Forgets what is saved and owed, and the last event. */
     void clear() {
         saved = 0;
         owed = 0;
+        earnedUs = 0;
     }
 }

@@ -98,11 +98,23 @@ public class VoteBudgetTest {
     }
 
     @Test
-    public void timeThatBeginsAnewEarnsNothing() {
+    public void timeThatGoesBackEarnsNothing() {
         budget.earn(1_000, 50);
-        budget.clear();
+        budget.spend(120 + 5_000);
         budget.earn(1_000, 10);
         budget.spend(119);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
+    @Test
+    public void clearedBudgetEarnsAsANewOne() {
+        budget.earn(1_000, 1_000_000);
+        budget.clear();
+        budget.earn(1_000, 50);
+        // as the first event of a new one: the time from 0 on
+        budget.spend(120 + 5_000 - 1);
         assertTrue(budget.isLeft());
         budget.spend(1);
         assertFalse(budget.isLeft());
