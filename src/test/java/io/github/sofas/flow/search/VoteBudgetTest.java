@@ -23,12 +23,18 @@ public class VoteBudgetTest {
         return events;
     }
 
+    /** Spends what is left: so many votes, and no more. */
+    private void assertLeft(long votes) {
+        budget.spend(votes - 1);
+        assertTrue(budget.isLeft());
+        budget.spend(1);
+        assertFalse(budget.isLeft());
+    }
+
     @Test
     public void eachEventEarnsAHundredAndTwentyVotes() {
         budget.earn(1_000, 0);
-        assertTrue(budget.isLeft());
-        budget.spend(120);
-        assertFalse(budget.isLeft());
+        assertLeft(120);
     }
 
     @Test
@@ -42,19 +48,13 @@ public class VoteBudgetTest {
     public void measurementsArePaidFirst() {
         // 30 votes are paid, 90 left
         budget.earn(1_030, 0);
-        budget.spend(89);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(90);
     }
 
     @Test
     public void twoThirdsAreLeftHoweverMuchMeasurementsOwe() {
         budget.earn(1_000_000, 0);
-        budget.spend(79);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(80);
     }
 
     @Test
@@ -71,30 +71,21 @@ public class VoteBudgetTest {
         for (int i = 0; i < 1_000; i++) {
             budget.earn(1_000, 0);
         }
-        budget.spend(39_999);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(40_000);
     }
 
     @Test
     public void eachMicrosecondBetweenEventsEarnsAHundredVotes() {
         budget.earn(1_000, 0);
         budget.earn(1_000, 7);
-        budget.spend(2 * 120 + 700 - 1);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(2 * 120 + 700);
     }
 
     @Test
     public void longPauseEarnsAsMuchAsAHundredMicroseconds() {
         budget.earn(1_000, 0);
         budget.earn(1_000, 1_000_000);
-        budget.spend(2 * 120 + 10_000 - 1);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(2 * 120 + 10_000);
     }
 
     @Test
@@ -102,10 +93,7 @@ public class VoteBudgetTest {
         budget.earn(1_000, 50);
         budget.spend(120 + 5_000);
         budget.earn(1_000, 10);
-        budget.spend(119);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(120);
     }
 
     @Test
@@ -114,10 +102,7 @@ public class VoteBudgetTest {
         budget.clear();
         budget.earn(1_000, 50);
         // as the first event of a new one: the time from 0 on
-        budget.spend(120 + 5_000 - 1);
-        assertTrue(budget.isLeft());
-        budget.spend(1);
-        assertFalse(budget.isLeft());
+        assertLeft(120 + 5_000);
     }
 
     @Test
@@ -126,7 +111,6 @@ public class VoteBudgetTest {
         budget.clear();
         assertFalse(budget.isLeft());
         budget.earn(5_000, 0);
-        budget.spend(119);
-        assertTrue(budget.isLeft());
+        assertLeft(120);
     }
 }
