@@ -10,15 +10,20 @@ import io.github.sofas.flow.fit.VelocityTop;
  *
  * <p>Ours, because sliding an edge along itself at any speed is rewarded while counts are small: a piece is a structure
  * only when it has travelled enough to be distinguished from one that stands still, and meets itself often enough; and
- * of velocities that are about as good the slowest is taken. Texture shows its velocity along both axes, and by so many
- * events that little travel shows it: it only has to pass rest by more than chance. Most pieces are none, and are given
- * up as early as they show it: many have not travelled enough yet, and are sharper at rest than along their projection.
+ * of velocities that are about as good the slowest is taken, the more readily the slower it is. Texture shows its
+ * velocity along both axes, and by so many events that little travel shows it: it only has to pass rest by more than
+ * chance. Most pieces are none, and are given up as early as they show it: many have not travelled enough yet, and are
+ * sharper at rest than along their projection.
  */
 final class PieceRefinement {
     private static final int MOST_FITS = 8;
     /** Events of a piece that are fitted. */
     private static final int SAMPLE_EVENTS = 1000;
-    /** Share of the metric within which the slowest velocity is taken: an edge then gets its normal flow. */
+    /**
+     * Share of the metric within which the slowest velocity is taken: an edge then gets its normal flow. It is the
+     * share for one that is hardly slower, and grows with the square of how many times slower it is: two edges that are
+     * all but parallel and move differently are sharp along one velocity, too, far along both.
+     */
     private static final double SLOWEST_WITHIN = 0.03;
     /**
      * Shares of the evidence below which a piece is given up after the first fits: those of structures begin at 0.5,
@@ -31,6 +36,8 @@ final class PieceRefinement {
      */
     private static final double HOPEFUL_SIGMAS = 3;
     private static final double SHOWN_SIGMAS = 10;
+    /** Standard deviations by which any structure passes rest: of pieces with fewer half have a wrong velocity. */
+    private static final double LEAST_SIGMAS = 6;
     /** Standard deviations that a shift of both ends of the window by a pixel loses at least, in any direction. */
     private static final double KNOWN_SIGMAS = 1;
     /** Metric per event of what shows its velocity, at least. */
@@ -176,8 +183,10 @@ final class PieceRefinement {
     private void arrive(VelocityTop top) {
         if (stage == Stage.SLOWEST) {
             stage = Stage.OVER;
-            if (top.metric() < (1 - SLOWEST_WITHIN) * bestMetric
-                    || vx * vx + vy * vy > bestX * bestX + bestY * bestY) {
+            double square = vx * vx + vy * vy;
+            double bestSquare = bestX * bestX + bestY * bestY;
+            if (square > bestSquare
+                    || (bestMetric - top.metric()) * square > SLOWEST_WITHIN * bestMetric * bestSquare) {
                 vx = bestX;
                 vy = bestY;
             } else {
@@ -203,7 +212,8 @@ final class PieceRefinement {
     private boolean isEvident(VelocityTop top) {
         double metric = isAtBorder ? fit.metricAsSeen(vx, vy) : top.metric();
         // where the border counts, what leaves the sensor soon may have been climbed to from rest
-        return metric >= atRest && (hasTravelled(top) && density(metric) >= p.evidence() || isShown(top, metric));
+        return sigmasOverRest(metric) >= LEAST_SIGMAS
+            && (hasTravelled(top) && density(metric) >= p.evidence() || isShown(top, metric));
     }
 
     /** Whether what was fitted last has travelled enough to be distinguished from what stands still. */

@@ -15,18 +15,18 @@ import java.util.Arrays;
  */
 public final class StructureSearch {
     /** Unmatched events between two looks, and cells of an accumulator for each where that is more. */
-    private static final int EVERY = 128;
+    private static final int EVERY = 32;
     private static final int EVERY_CELLS = 512;
     /** Standard deviations by which a metric must pass what chance gives. */
     private static final double CHANCE_SIGMAS = 6;
     /** Share of its events that a piece must have that were not looked at in vain before, and that no structure has. */
-    private static final double NEWS = 0.25;
+    private static final double NEWS = 0.1;
     /** Votes of the flow plane, and cells looked through, that cost as much as one vote of a fit. */
     private static final int CHEAP_VOTES = 2;
     private static final int CHEAP_CELLS = 4;
 
     /** Votes that a look in vain may give for each unmatched event until the next. */
-    private static final int VAIN_VOTES = 10;
+    private static final int VAIN_VOTES = 30;
 
     private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OVER, TAKING_OUT }
 
@@ -248,7 +248,7 @@ public final class StructureSearch {
             nextLook = total;
         } else {
             int held = plane.count(projection / n);
-            refusedUntil[projection] = total + Math.max(64, held / 4);
+            refusedUntil[projection] = total + Math.max(64, held / 16);
             // the more it cost the longer, but as long as much of what is held is as it was
             nextLook = total + Math.max(every, Math.min(held / 8, (fit.votes() - votesBefore) / VAIN_VOTES));
         }

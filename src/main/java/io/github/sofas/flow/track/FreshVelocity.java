@@ -6,8 +6,9 @@ import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
- * Looks for the velocity of a structure whose events come faster than its motion takes it on: in all directions, from
- * the newest events alone, those of a few px of travel ({@link EventDensity#isRushed}).
+ * Looks for the velocity of a structure whose events come faster than its motion takes it on
+ * ({@link EventDensity#isRushed}), or that sets off from rest: in all directions, from the newest events alone, those
+ * of a few px of travel.
  *
  * <p>Ours, because measuring goes from a motion to a better one beside it. What turns back in a few ms, as a head does
  * or a camera held by hand, is at rest for its window, and rest is a top of the metric of its own: real pixels fire
@@ -27,8 +28,6 @@ final class FreshVelocity {
     /** Events are projected along the motion in steps of this part of a pixel. */
     private static final double STEP_PX = 1.0 / 32;
     private static final int MOST_FITS = 5;
-    /** Standard deviations by which the metric must pass that along the motion, and that at rest. */
-    private static final double SHOWN_SIGMAS = 10;
     /** Metric per event, at least. */
     private static final double LEAST_DENSITY = 0.7;
 
@@ -51,11 +50,13 @@ final class FreshVelocity {
      *
      * @param newest how many of the live events are looked at
      * @param travelPx over which the structure usually gives as many
+     * @param sigmas standard deviations by which the metric must pass that along the motion, and that at rest
      * @param motion that it is taken to have
      * @param radius of the structure in px
      * @return whether the events show a velocity, and another one than the motion's
      */
-    boolean find(LiveEvents live, int newest, double travelPx, Motion motion, double radius, MetricFit fit) {
+    boolean find(LiveEvents live, int newest, double travelPx, double sigmas, Motion motion, double radius,
+                 MetricFit fit) {
         long fromUs = live.newestFromUs(newest);
         long windowUs = live.newestUs() - fromUs;
         if (windowUs <= 0) {
@@ -76,7 +77,7 @@ final class FreshVelocity {
         double metric = climb(window, fit);
         // in a sample events meet by so much less
         double perEvent = metric / fit.size() * newest / fit.size();
-        return metric - known > SHOWN_SIGMAS * MetricFit.sd(metric) && perEvent > LEAST_DENSITY;
+        return metric - known > sigmas * MetricFit.sd(metric) && perEvent > LEAST_DENSITY;
     }
 
     private void load(LiveEvents live, int newest, Motion along, double radius, MetricFit fit) {

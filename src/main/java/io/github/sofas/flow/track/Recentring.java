@@ -22,6 +22,13 @@ final class Recentring {
     private static final double BURST_PX = 0.5;
     private static final long BURST_US = 1_500;
 
+    /** Standard deviations by which the metric along a new velocity must pass that along the motion, and at rest. */
+    private static final double LOOK_SIGMAS = 10;
+    /** The same where it sets off from rest, so that no motion is known to be given up. */
+    private static final double SET_OFF_SIGMAS = 2;
+    /** Share of the usual events over {@link FreshVelocity#TRAVEL_PX} that show how it sets off: 2.4 px of travel. */
+    private static final double SET_OFF_SHARE = 0.6;
+
     private final Measurement measurement;
     private final EventDensity density = new EventDensity();
     private final FreshVelocity fresh = new FreshVelocity();
@@ -37,6 +44,8 @@ final class Recentring {
     private long widenedUs;
     /** When its velocity was looked for anew last. */
     private long lookedUs;
+    /** Events that it usually gave over {@link FreshVelocity#TRAVEL_PX}, while it sets off from rest; else 0. */
+    private int setsOffWith;
 
     Recentring(SofasParameters.Track p) {
         this.p = p;
@@ -46,6 +55,7 @@ final class Recentring {
     /** Begins with a structure that has no events yet. */
     void start(long nowUs) {
         density.start();
+        setsOffWith = 0;
         live.clear();
         measurement.restart();
         measurement.doubtBody();
@@ -140,8 +150,9 @@ final class Recentring {
         return rest.sinceUs(motion, live, density, radius, inFullView, nowUs);
     }
 
-    /** Lets go all events, and measures those that come from the motion of now on. */
-    void beginAnew(Motion motion, double radius) {
+    /** Lets go all events of a structure that has come to rest, and waits for those by which it sets off. */
+    void rest(Motion motion, double radius) {
+        setsOffWith = density.usually(live, FreshVelocity.TRAVEL_PX);
         live.clear();
         density.start();
         measurement.restart();
@@ -178,6 +189,10 @@ final class Recentring {
      * @return whether it was measured: then its reference is the middle of the window
      */
     boolean measure(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
+        if (setsOffWith > 0 && !setsOff(motion, before, radius, fit, nowUs)) {
+            measurement.hold(motion);
+            return false;
+        }
         if (!followDensity(motion, radius, nowUs)) {
             lookAnew(motion, before, radius, fit, nowUs);
         }
@@ -195,21 +210,44 @@ final class Recentring {
         return true;
     }
 
+    /**
+     * Looks for the velocity by which a structure sets off from rest, in all directions: from rest, measuring climbs as
+     * often to one that goes back, of the first px of its edges.
+     *
+     * @return whether the motion may be measured, because a velocity was found or as many events came as should show it
+     */
+    private boolean setsOff(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
+        int newest = Math.min(live.size(), setsOffWith);
+        boolean isFound = findAnew(newest, setsOffWith, SET_OFF_SIGMAS, motion, before, radius, fit, nowUs);
+        if (!isFound && newest < SET_OFF_SHARE * setsOffWith) {
+            return false;
+        }
+        setsOffWith = 0;
+        return true;
+    }
+
     /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
     private void lookAnew(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
         int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
         int newest = Math.min(live.size(), usual);
+        if (nowUs - lookedUs >= (nowUs - live.newestFromUs(newest)) / LOOK_PART) {
+            lookedUs = nowUs;
+            findAnew(newest, usual, LOOK_SIGMAS, motion, before, radius, fit, nowUs);
+        }
+    }
+
+    /** Looks for the velocity in some of the newest events, of those that it usually gives; returns whether it has. */
+    private boolean findAnew(int newest, int usual, double sigmas, Motion motion, Motion before, double radius,
+                             MetricFit fit, long nowUs) {
         long fromUs = live.newestFromUs(newest);
-        if (nowUs - lookedUs < (nowUs - fromUs) / LOOK_PART) {
-            return;
+        if (!fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, sigmas, before, radius, fit)) {
+            return false;
         }
-        lookedUs = nowUs;
-        if (fresh.find(live, newest, FreshVelocity.TRAVEL_PX * newest / usual, before, radius, fit)) {
-            live.keepNewest(newest);
-            motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
-            measurement.restart();
-            followLifetime(motion, radius);
-        }
+        live.keepNewest(newest);
+        motion.set(fromUs + (nowUs - fromUs) / 2, fresh.vx(), fresh.vy());
+        measurement.restart();
+        followLifetime(motion, radius);
+        return true;
     }
 
     /**

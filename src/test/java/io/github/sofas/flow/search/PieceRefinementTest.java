@@ -9,6 +9,7 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.Streams;
 import io.github.sofas.flow.fit.MetricFit;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import org.junit.Test;
 
@@ -75,6 +76,33 @@ public class PieceRefinementTest {
     }
 
     @Test
+    public void edgesThatAreAllButParallelAreNotOneThatSlidesAlongBoth() {
+        // 4 degrees apart, 60 and 30 px/s: one velocity that agrees with both, 430 px/s along them, and sharper by 7 %
+        List<Event> edges = new ArrayList<>();
+        addEdge(edges, 20, 12, 18, 60);
+        addEdge(edges, 34, 34, 22, 30);
+        edges.sort(Comparator.comparingLong(Event::timeUs));
+        PieceRefinement found = refined(P, edges, 189, -388);
+        assertTrue(found.isStructure());
+        assertTrue(Math.hypot(found.vx(), found.vy()) < 65);
+    }
+
+    /** Adds 0.1 s of a straight edge of 28 px about a place, which moves across itself, in a direction in degrees. */
+    private static void addEdge(List<Event> events, int centreX, int centreY, double degrees, double pxPerS) {
+        double nx = Math.cos(Math.toRadians(degrees));
+        double ny = Math.sin(Math.toRadians(degrees));
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                double across = (x - centreX) * nx + (y - centreY) * ny;
+                double along = (y - centreY) * nx - (x - centreX) * ny;
+                if (Math.abs(along) < 14 && across >= 0 && across < pxPerS * 0.1) {
+                    events.add(new Event(x, y, (long) (across / pxPerS * 1e6), 1));
+                }
+            }
+        }
+    }
+
+    @Test
     public void whatIsSharperAtRestIsNone() {
         List<Event> flicker = new ArrayList<>();
         for (int i = 0; i < 400; i++) {
@@ -99,6 +127,15 @@ public class PieceRefinementTest {
         SofasParameters anyDensity = P.with("evidence", 0);
         assertFalse(refined(anyDensity, edge(4), 100, 0).isStructure());
         assertTrue(refined(anyDensity, edge(6), 100, 0).isStructure());
+    }
+
+    @Test
+    public void whatPassesRestByFewStandardDeviationsIsNone() {
+        // n rows of six events, each of which meets the five others of its row, n * 30 in all, and none at rest: n = 1
+        // passes that by sqrt(30) = 5.5, n = 3 by 9.5
+        SofasParameters anyDensity = P.with("evidence", 0);
+        assertFalse(refined(anyDensity, Streams.edge(10, 6, 1, 0, 10_000), 100, 0).isStructure());
+        assertTrue(refined(anyDensity, Streams.edge(10, 6, 3, 0, 10_000), 100, 0).isStructure());
     }
 
     @Test
