@@ -151,7 +151,7 @@ final class Recentring {
     }
 
     /** Lets go all events of a structure that has come to rest, and waits for those by which it sets off. */
-    void rest(Motion motion, double radius) {
+    void comeToRest(Motion motion, double radius) {
         setsOffWith = density.usually(live, FreshVelocity.TRAVEL_PX);
         live.clear();
         density.start();
@@ -236,7 +236,7 @@ final class Recentring {
         }
     }
 
-    /** Looks for the velocity in some of the newest events, of those that it usually gives; returns whether it has. */
+    /** Looks for the velocity in some of the newest of those that it usually gives; returns whether any is found. */
     private boolean findAnew(int newest, int usual, double sigmas, Motion motion, Motion before, double radius,
                              MetricFit fit, long nowUs) {
         long fromUs = live.newestFromUs(newest);

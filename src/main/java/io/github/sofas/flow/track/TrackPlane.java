@@ -316,7 +316,7 @@ public final class TrackPlane {
         contour.follow(motion);
         memory.follow(motion, memoryUs());
         motion.moveReference(nowUs);
-        recentring.rest(motion, contour.radius());
+        recentring.comeToRest(motion, contour.radius());
     }
 
     /**
