@@ -21,7 +21,6 @@ final class Recentring {
     /** Longest travel in px, and time, of a burst; longer ones would have edges that follow, and what sets off. */
     private static final double BURST_PX = 0.5;
     private static final long BURST_US = 1_500;
-
     /** Standard deviations by which the metric along a new velocity must pass that along the motion, and at rest. */
     private static final double LOOK_SIGMAS = 10;
     /** The same where it sets off from rest, so that no motion is known to be given up. */

@@ -287,6 +287,7 @@ public class StructureSearchTest {
     private static final class Counting extends AllStructures {
         private int handed;
         private int handedInSmallSteps;
+        private int mostAtOnce;
 
         @Override
         public void addPast(int x, int y, long timeUs, int polarity) {
@@ -303,6 +304,8 @@ public class StructureSearchTest {
             assertTrue("begun", structures.begun > 0);
             handed += structures.handed;
             inSmallSteps += structures.handedInSmallSteps;
+            // no more than a part of 48 px, an eighth of the wall, whose points gave 4 or 5 events each
+            assertTrue("handed at once " + structures.mostAtOnce, structures.mostAtOnce <= 5 * WALL_POINTS / 8);
         }
         assertTrue("handed " + handed, handed > 4 * 3 * WALL_POINTS);
         // what is not are the pieces that the wall is found by, each of which is handed over at once
@@ -329,6 +332,7 @@ public class StructureSearchTest {
             search.run(0, 0);
             int step = structures.handed - before;
             structures.handedInSmallSteps += step <= Surroundings.AT_ONCE ? step : 0;
+            structures.mostAtOnce = Math.max(structures.mostAtOnce, step);
         }
         return structures;
     }

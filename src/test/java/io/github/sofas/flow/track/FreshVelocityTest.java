@@ -19,6 +19,8 @@ public class FreshVelocityTest {
     private static final int DOTS = 150;
     private static final int TIMES = 3;
     private static final long AGAIN_US = 2_000;
+    /** Standard deviations by which a new velocity is to be better. */
+    private static final double SIGMAS = 10;
 
     private final MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, LiveEvents.CAPACITY, 1000);
     private final FreshVelocity fresh = new FreshVelocity();
@@ -68,7 +70,7 @@ public class FreshVelocityTest {
     @Test
     public void velocityOfWhatIsTakenToRestIsFound() {
         LiveEvents live = live(events());
-        assertTrue(fresh.find(live, live.size(), 4, 10, motion(40_000, 0, 0), 15, fit));
+        assertTrue(fresh.find(live, live.size(), 4, SIGMAS, motion(40_000, 0, 0), 15, fit));
         assertEquals(100, fresh.vx(), 5);
         assertEquals(50, fresh.vy(), 5);
     }
@@ -84,7 +86,7 @@ public class FreshVelocityTest {
         LiveEvents live = new LiveEvents();
         many.forEach(e -> live.add(e.x(), e.y(), e.timeUs(), 1, Claim.OWN, e.y() >= 60 ? 1 : 2));
         assertTrue("" + live.size(), live.size() > 3000);
-        assertTrue(fresh.find(live, live.size(), 4, 10, motion(40_000, 0, 0), 15, fit));
+        assertTrue(fresh.find(live, live.size(), 4, SIGMAS, motion(40_000, 0, 0), 15, fit));
         assertTrue("" + fit.size(), fit.size() <= 3000);
         assertEquals(100, fresh.vx(), 5);
         assertEquals(50, fresh.vy(), 5);
@@ -93,7 +95,7 @@ public class FreshVelocityTest {
     @Test
     public void whatMovesAsItIsTakenToHasNoOtherVelocity() {
         LiveEvents live = live(events());
-        assertFalse(fresh.find(live, live.size(), 4, 10, motion(40_000, 100, 50), 15, fit));
+        assertFalse(fresh.find(live, live.size(), 4, SIGMAS, motion(40_000, 100, 50), 15, fit));
     }
 
     @Test
@@ -104,13 +106,13 @@ public class FreshVelocityTest {
             events.add(new Fired(20L * i, 40 + random.nextInt(40), 30 + random.nextInt(30)));
         }
         LiveEvents live = live(events);
-        assertFalse(fresh.find(live, live.size(), 4, 10, motion(40_000, 0, 0), 15, fit));
+        assertFalse(fresh.find(live, live.size(), 4, SIGMAS, motion(40_000, 0, 0), 15, fit));
     }
 
     @Test
     public void eventsThatOthersClaimTellNothing() {
         LiveEvents live = new LiveEvents();
         events().forEach(e -> live.add(e.x(), e.y(), e.timeUs(), 1, Claim.SHARED, 0));
-        assertFalse(fresh.find(live, live.size(), 4, 10, motion(40_000, 0, 0), 15, fit));
+        assertFalse(fresh.find(live, live.size(), 4, SIGMAS, motion(40_000, 0, 0), 15, fit));
     }
 }
