@@ -17,13 +17,11 @@ import io.github.sofas.flow.motion.Motion;
  * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration, a rotation
  * and a growth, so that the velocity is that of now and not of the middle of the window.
  *
- * <p>Longer than other classes, because here a structure's life is in one place: what begins, follows, parts, merges
- * and ends it. What each of these does is in {@link Recentring}, {@link MeasuredMotion}, {@link Contour} and
- * {@link ContourMemory}.
+ * <p>What begins, follows, parts, merges and ends a structure is here in one place. What each of these does is in
+ * {@link Recentring}, {@link MeasuredMotion}, {@link Contour}, {@link ContourMemory}, {@link Wholeness} and
+ * {@link Life}.
  */
 public final class TrackPlane {
-    /** Events that a structure must have had to be waited for while it is hidden. */
-    private static final int LEAST_HIDDEN = 200;
     /** Longest time for which the contour is remembered: what stands still would haunt its place. */
     private static final long MAX_MEMORY_US = 2_000_000;
     /**
@@ -38,37 +36,21 @@ public final class TrackPlane {
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int CONTOUR_PART = 8;
 
-    /** What is to be done with a structure. */
-    enum State {
-        /** It gets its events. */
-        TRACKED,
-        /** It gets too few: it is hidden, or stands, or is gone; it is waited for where it would be. */
-        WAITED_FOR,
-        /** It is not to be tracked any more. */
-        ENDED
-    }
-
     private final SensorSize sensor;
     private SofasParameters.Track p;
     private final Contour contour;
     private final ContourMemory memory;
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
-    /** The motion as it is if the structure is one body. */
-    private final Motion ofOne = new Motion();
     private final Turn turn = new Turn();
     private final Recentring recentring;
     private final MeasuredMotion measured;
-    private final PartingSchedule schedule = new PartingSchedule();
+    private final Wholeness wholeness = new Wholeness();
+    private final Life life = new Life();
     private final Companion companion = new Companion();
     private final OtherPart otherPart = new OtherPart();
 
     private int served;
-    private long firstUs;
-    private long lastUs;
-    private long events;
-    private State state;
-    private long waitingSinceUs;
     /** Whether it is waited for along a motion that was not measured. */
     private boolean adrift;
 
@@ -97,19 +79,16 @@ public final class TrackPlane {
      */
     void start(long nowUs, double vx, double vy, double noise) {
         served++;
-        firstUs = nowUs;
-        lastUs = nowUs;
         noisePerUs = noise;
-        events = 0;
-        state = State.TRACKED;
         adrift = false;
+        life.start(nowUs);
         measured.start(vx, vy);
         motion.set(nowUs, vx, vy);
         contour.start(motion);
         memory.start(motion);
         recentring.start(nowUs);
         recentring.followLifetime(motion, contour.radius());
-        schedule.start(nowUs);
+        wholeness.start(nowUs);
         companion.start();
         otherPart.start(nowUs);
     }
@@ -183,7 +162,7 @@ public final class TrackPlane {
 
     /** How far it has travelled since it was found, in px, at its speed of now. */
     double travelPx(long nowUs) {
-        return (nowUs - firstUs) * 1e-6 * speed();
+        return (nowUs - life.firstUs()) * 1e-6 * speed();
     }
 
     /** Support of an event by the contour; at least {@link #threshold} where it belongs. */
@@ -231,7 +210,7 @@ public final class TrackPlane {
      * @param beginsBurst whether it is the first event of a burst: no other is measured
      */
     void addPast(int x, int y, long timeUs, int polarity, boolean beginsBurst) {
-        contour.add(x, y, timeUs, polarity, Math.max(0, firstUs - timeUs), contourUs());
+        contour.add(x, y, timeUs, polarity, Math.max(0, life.firstUs() - timeUs), contourUs());
         int tile = memory.see(x, y, timeUs);
         if (beginsBurst) {
             recentring.live().add(x, y, timeUs, polarity, Claim.OWN, tile);
@@ -267,8 +246,7 @@ public final class TrackPlane {
     void take(int x, int y, long timeUs, int polarity, Claim claim, Bursts bursts, MetricFit fit) {
         if (isPredictive()) {
             // else it got no flow
-            events++;
-            lastUs = timeUs;
+            life.note(timeUs);
         }
         int tile;
         if (claim == Claim.REMEMBERED) {
@@ -320,31 +298,20 @@ public final class TrackPlane {
     }
 
     /**
-     * Goes to the state that it is in by now: the only place where it changes.
+     * Lets events go, and goes to the state that it is in by now.
      *
      * @param noise how many noise events a pixel gives of either polarity, per µs
      */
-    State update(long nowUs, double noise) {
+    Life.State update(long nowUs, double noise) {
         noisePerUs = noise;
         recentring.goOn(nowUs);
         turn.take(motion, nowUs);
         contour.expectEither(turn.isNear(lifetimeUs()));
         contour.fade(nowUs, contourUs());
         recentring.followDensity(motion, contour.radius(), nowUs);
-        if (!recentring.isStarved()) {
-            state = State.TRACKED;
-        } else if (state == State.TRACKED) {
-            state = events < LEAST_HIDDEN ? State.ENDED : State.WAITED_FOR;
-            waitingSinceUs = nowUs;
-        }
-        if (recentring.measurement().isBlurred()) {
-            state = State.ENDED;
-        }
-        if (state == State.WAITED_FOR && (nowUs - waitingSinceUs >= memoryUs() || contour.hasLeft(nowUs))) {
-            state = State.ENDED;
-        }
-        adrift = state == State.WAITED_FOR && nowUs - waitingSinceUs >= lifetimeUs() / ADRIFT_PART
-            && measured.isOther(motion);
+        Life.State state = life.goOn(recentring.isStarved(), recentring.measurement().isBlurred(),
+            !contour.hasLeft(nowUs), memoryUs(), nowUs);
+        adrift = life.isWaitedFor(lifetimeUs() / ADRIFT_PART, nowUs) && measured.isOther(motion);
         return state;
     }
 
@@ -415,7 +382,7 @@ public final class TrackPlane {
         } else if (bond == Merging.Bond.BODY) {
             measurement().believeAll();
         }
-        events += other.events;
+        life.takeOver(other.life);
         motion.moveReference(nowUs);
         if (recentring.live().thinning() == 1) {
             contour.draw(recentring.live(), motion, contourUs());
@@ -436,35 +403,21 @@ public final class TrackPlane {
     /** Takes the density of now for the usual one; its motion is measured with the next event, once for all changes. */
     private void becomeAnother() {
         recentring.becomeAnother();
-        schedule.askSoonForTwo();
+        wholeness.doubt();
     }
 
     /** Whether it has travelled so far since it was asked last that it is to be asked again what it is made of. */
     boolean beginsToPart(long nowUs) {
-        boolean isDue = state == State.TRACKED && schedule.isDue(speed(), nowUs);
-        if (isDue) {
-            schedule.begin(nowUs);
-        }
-        return isDue;
+        return life.isTracked() && wholeness.beginsToAsk(speed(), nowUs);
     }
 
     /**
-     * Looks whether a part of the structure is a body of its own, and notes if it is clearly one body. Of a dense
-     * structure only some tiles are known, by which nothing lies apart, and nothing is given up.
+     * Looks whether a part of the structure is a body of its own, and notes if it is clearly one body.
      *
      * @return whether there is a part, which is to be given up to another plane
      */
     boolean findPart(Parting parting, MetricFit fit) {
-        LiveEvents live = recentring.live();
-        boolean hasAllTiles = live.thinning() == 1;
-        boolean mayBeTwo = schedule.isForTwo() && measurement().isPredictive() && measurement().isSharp();
-        if (hasAllTiles && parting.findApart(live, motion, contour.radius(), fit)) {
-            if (mayBeTwo) {
-                schedule.note(false);
-            }
-            return true;
-        }
-        return mayBeTwo && areTwo(parting, fit) && hasAllTiles;
+        return wholeness.findPart(parting, recentring.live(), motion, contour.radius(), measurement(), fit);
     }
 
     /** Begins to ask whether others take it over; false of a dense structure, of which only some tiles are known. */
@@ -485,27 +438,8 @@ public final class TrackPlane {
 
     /** Whether its motion is known so well that it may explain the events of another structure. */
     boolean mayTakeOver(long nowUs) {
-        return state == State.TRACKED && isVelocityKnown() && measurement().isSharp() && isPredictive()
+        return life.isTracked() && isVelocityKnown() && measurement().isSharp() && isPredictive()
             && travelPx(nowUs) >= TAKING_TRAVEL_PX;
-    }
-
-    /**
-     * Whether it is two bodies that seem to turn or grow together; notes if it is clearly one. What is not believed to
-     * turn is asked with rotation and growth as all of it shows them: it may be one, but is not given up for two.
-     */
-    private boolean areTwo(Parting parting, MetricFit fit) {
-        boolean areTwo = parting.findTwo(recentring.live(), motion, contour.radius(), fit);
-        if (!parting.turns()) {
-            ofOne.copyFrom(motion);
-            ofOne.moveReference(recentring.live().middleUs());
-            measurement().applyOfAll(ofOne);
-            parting.findTwo(recentring.live(), ofOne, contour.radius(), fit);
-        }
-        if (parting.isClearlyOne()) {
-            measurement().believeAll();
-        }
-        schedule.note(parting.isClearlyOne());
-        return areTwo;
     }
 
     /** Gives the part that was found up to another plane, whose motion is measured from its events. */
@@ -544,7 +478,8 @@ public final class TrackPlane {
     Segment segment(Segment.Fate fate, int mergedInto) {
         // where all of the contour has faded it was seen last about its centre
         boolean faded = contour.isEmpty();
-        return new Segment(id(), firstUs, lastUs, events, (float) motion.vx, (float) motion.vy,
+        long lastUs = life.lastUs();
+        return new Segment(id(), life.firstUs(), lastUs, life.events(), (float) motion.vx, (float) motion.vy,
             (float) motion.omega, (float) motion.growth,
             clip(faded ? motion.centreX : contour.left(lastUs), sensor.width()),
             clip(faded ? motion.centreY : contour.top(lastUs), sensor.height()),

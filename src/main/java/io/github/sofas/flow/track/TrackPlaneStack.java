@@ -178,7 +178,7 @@ public final class TrackPlaneStack {
         reaches.forget();
         for (int i = size - 1; i >= 0; i--) {
             planes[i].correctSpeed(isHidden(i, nowUs), fit, nowUs);
-            if (planes[i].update(nowUs, noise.perUs()) == TrackPlane.State.ENDED) {
+            if (planes[i].update(nowUs, noise.perUs()) == Life.State.ENDED) {
                 end(i, Segment.Fate.REMOVED, 0);
             } else {
                 planes[i].measureIfLate(fit, nowUs);

@@ -8,7 +8,7 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.fit.MetricFit;
-import io.github.sofas.flow.track.TrackPlane.State;
+import io.github.sofas.flow.track.Life.State;
 import java.util.Random;
 import java.util.ArrayList;
 import java.util.List;
