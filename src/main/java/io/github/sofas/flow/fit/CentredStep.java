@@ -28,6 +28,7 @@ public final class CentredStep {
     private static final double LEAST_RADIUS_PX = 1;
 
     private final SofasParameters.Track p;
+    private final PathPull pull = new PathPull();
     private VelocityTop top;
 
     /** Makes steps with the parameters that a motion may have. */
@@ -93,7 +94,9 @@ public final class CentredStep {
         double grow = 0;
         if (p.rotation()) {
             Parabola rotation = fit.changes().rotation(h);
-            turn = rotation.step() * followed(rotation.loss(), stiffness);
+            double found = motion.omega + rotation.step();
+            pull.take(top.metric(), motion, found, half, radius);
+            turn = (pull.freed(found, rotation.loss()) - motion.omega) * followed(rotation.loss(), stiffness);
         }
         if (p.growth()) {
             Parabola growth = fit.changes().growth(h);

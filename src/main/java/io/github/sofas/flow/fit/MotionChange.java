@@ -71,6 +71,7 @@ public final class MotionChange {
     private final SeriesSlope growthSlope = new SeriesSlope();
     private final StructureTensor structure = new StructureTensor();
     private final PlaneChange plane = new PlaneChange();
+    private final PathPull pull = new PathPull();
     private int measurements;
     /** How clearly the acceleration along shows, in standard deviations of the metric. */
     private double bendSigmas;
@@ -167,8 +168,11 @@ public final class MotionChange {
         double newGrowth = 0;
         if (p.rotation()) {
             Parabola fitted = fit.changes().rotation(perPx * ChangeFit.APART_PX);
-            double omega = turned + fitted.step();
-            turns = gained(fitted.loss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
+            double top = turned + fitted.step();
+            pull.take(loss.metric, motion, top, half, radius);
+            double omega = pull.freed(top, fitted.loss());
+            double ownLoss = pull.ownLoss(fitted.loss()) * structure.own(StructureTensor.TURN);
+            turns = gained(ownLoss * omega * omega, loss.metric);
             newOmega = believed(omega, perPx, turnNoisePx) * turns;
             loss.turn = fitted.loss();
         }
