@@ -94,9 +94,8 @@ public final class CentredStep {
         double grow = 0;
         if (p.rotation()) {
             Parabola rotation = fit.changes().rotation(h);
-            double found = motion.omega + rotation.step();
-            pull.take(top.metric(), motion, found, half, radius);
-            turn = (pull.freed(found, rotation.loss()) - motion.omega) * followed(rotation.loss(), stiffness);
+            pull.take(rotation, top.metric(), motion, half, radius);
+            turn = (pull.freed() - motion.omega) * followed(rotation.loss(), stiffness);
         }
         if (p.growth()) {
             Parabola growth = fit.changes().growth(h);

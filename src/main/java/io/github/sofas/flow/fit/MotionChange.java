@@ -168,11 +168,9 @@ public final class MotionChange {
         double newGrowth = 0;
         if (p.rotation()) {
             Parabola fitted = fit.changes().rotation(perPx * ChangeFit.APART_PX);
-            double top = turned + fitted.step();
-            pull.take(loss.metric, motion, top, half, radius);
-            double omega = pull.freed(top, fitted.loss());
-            double ownLoss = pull.ownLoss(fitted.loss()) * structure.own(StructureTensor.TURN);
-            turns = gained(ownLoss * omega * omega, loss.metric);
+            pull.take(fitted, loss.metric, motion, half, radius);
+            double omega = pull.freed();
+            turns = gained(pull.ownLoss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
             newOmega = believed(omega, perPx, turnNoisePx) * turns;
             loss.turn = fitted.loss();
         }

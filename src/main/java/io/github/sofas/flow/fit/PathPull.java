@@ -17,42 +17,43 @@ final class PathPull {
     /** Loss by the body's own rotation, in losses by that of the path, at which half of the pull is taken off. */
     private static final double HALF_FREED = 2;
 
-    /** Rotation of the path in rad/s. */
+    /** Rotation at which the metric has its top, and that of the path, in rad/s. */
+    private double found;
     private double ofPath;
-    /** What the metric loses by a rotation beside it, per (rad/s)². */
+    /** What the metric loses beside either, per (rad/s)²: by the path's rotation, and by the structure's own. */
     private double loss;
+    private double ownLoss;
 
     /**
-     * Takes a motion whose rotation was measured.
+     * Takes the rotation of a structure as it was fitted.
      *
-     * @param metric of the events along it
-     * @param motion with its reference in the middle of the window
-     * @param found rotation at which the metric has its top, in rad/s
+     * @param fitted by the rotation, around the motion
+     * @param metric of the events along the motion
+     * @param motion that they were projected along, with its reference in the middle of the window
      * @param half half the window in s
      * @param radius of the structure in px
      */
-    void take(double metric, Motion motion, double found, double half, double radius) {
+    void take(Parabola fitted, double metric, Motion motion, double half, double radius) {
+        found = motion.omega + fitted.step();
         double square = motion.vx * motion.vx + motion.vy * motion.vy;
         double turning = found * found * radius * radius;
         // of what turns on the spot, the same edges give many events for as long as it turns
         double movesOn = square > 0 ? square / (square + turning) : 0;
         ofPath = square > 0 ? (motion.vx * motion.ay - motion.vy * motion.ax) / square : 0;
         loss = movesOn * metric * half * half / 3;
+        ownLoss = Math.max(0, fitted.loss() - loss);
     }
 
-    /** What of a loss of metric per (rad/s)² is by the structure's own rotation. */
-    double ownLoss(double found) {
-        return Math.max(0, found - loss);
+    /** What the metric loses by the structure's own rotation, per (rad/s)². */
+    double ownLoss() {
+        return ownLoss;
     }
 
     /**
      * The rotation without the pull, in rad/s; less of it is taken off where the structure hardly shows how it turns.
-     *
-     * @param found rotation at which the metric has its top
-     * @param lossFound what the metric loses beside it per (rad/s)²
      */
-    double freed(double found, double lossFound) {
-        double own = ownLoss(lossFound);
-        return own > 0 ? found + (found - ofPath) * loss / own * MetricFit.shown(own, HALF_FREED * loss) : found;
+    double freed() {
+        return ownLoss > 0
+            ? found + (found - ofPath) * loss / ownLoss * MetricFit.shown(ownLoss, HALF_FREED * loss) : found;
     }
 }

@@ -19,53 +19,54 @@ public class PathPullTest {
     private final PathPull pull = new PathPull();
     private final Motion motion = new Motion();
 
-    private void take(double vx, double vy, double ax, double ay, double found) {
-        motion.set(0, vx, vy);
-        motion.ax = ax;
+    /** Takes what moves to the right, and is found at the top of the metric, beside which that loses as much. */
+    private void take(double vx, double ay, double found, double lossFound) {
+        motion.set(0, vx, 0);
         motion.ay = ay;
-        pull.take(METRIC, motion, found, HALF_S, RADIUS_PX);
+        motion.omega = found;
+        pull.take(new Parabola().along(0, lossFound, 1, 0), METRIC, motion, HALF_S, RADIUS_PX);
     }
 
     @Test
     public void whatMovesOnStraightTurnsFasterThanTheMetricTells() {
         // turning shifts the rim at 1e-3 px/s, so that all of it moves on
-        take(100, 0, 0, 0, 1e-4);
-        assertEquals(90, pull.ownLoss(100), 1e-3);
+        take(100, 0, 1e-4, 100);
+        assertEquals(90, pull.ownLoss(), 1e-3);
         // of the pull, which is 10 / 90 of the rotation, 1 / (1 + (20 / 90)²) is taken off
-        assertEquals(1e-4 * (1 + 10 / 90.0 * 8100 / 8500), pull.freed(1e-4, 100), 1e-9);
+        assertEquals(1e-4 * (1 + 10 / 90.0 * 8100 / 8500), pull.freed(), 1e-9);
     }
 
     @Test
     public void halfIsTakenOffWhereItsOwnLossIsTwiceThePull() {
-        take(100, 0, 0, 0, 1e-4);
-        assertEquals(1e-4 * (1 + 0.5 / 2), pull.freed(1e-4, 3 * PULL), 1e-9);
+        take(100, 0, 1e-4, 3 * PULL);
+        assertEquals(1e-4 * (1 + 0.5 / 2), pull.freed(), 1e-9);
     }
 
     @Test
     public void discWithoutTextureTurnsAsFound() {
-        take(100, 0, 0, 0, 0.5);
-        assertEquals(0, pull.ownLoss(0.9 * PULL), 0);
-        assertEquals(0.5, pull.freed(0.5, 0.9 * PULL), 0);
+        take(100, 0, 0.5, 0.9 * PULL);
+        assertEquals(0, pull.ownLoss(), 0);
+        assertEquals(0.5, pull.freed(), 0);
     }
 
     @Test
     public void whatTurnsOnTheSpotIsNotPulled() {
-        take(0, 0, 0, 0, 2);
-        assertEquals(100, pull.ownLoss(100), 0);
-        assertEquals(2, pull.freed(2, 100), 0);
+        take(0, 0, 2, 100);
+        assertEquals(100, pull.ownLoss(), 0);
+        assertEquals(2, pull.freed(), 0);
     }
 
     @Test
     public void whatMovesOnAsFastAsItsRimTurnsIsPulledByHalf() {
-        take(20, 0, 0, 0, 2);
-        assertEquals(100 - PULL / 2, pull.ownLoss(100), 1e-9);
+        take(20, 0, 2, 100);
+        assertEquals(100 - PULL / 2, pull.ownLoss(), 1e-9);
     }
 
     @Test
     public void whatTurnsAsItsPathDoesIsNotPulled() {
         // 100 px/s to the right, 50 px/s² downwards: the path turns by half a rad per s
-        take(100, 0, 0, 50, 0.5);
-        assertEquals(0.5, pull.freed(0.5, 100), 0);
+        take(100, 50, 0.5, 100);
+        assertEquals(0.5, pull.freed(), 0);
     }
 
     /**
@@ -109,9 +110,10 @@ public class PathPullTest {
             VelocityTop top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
             Parabola rotation = fit.changes().rotation(ChangeFit.APART_PX / (halfS * 12));
             motion.set(0, 80, 0);
-            pull.take(top.metric(), motion, 2 + rotation.step(), halfS, 8.5);
+            motion.omega = 2;
+            pull.take(rotation, top.metric(), motion, halfS, 8.5);
             found += (2 + rotation.step()) / discs;
-            freed += pull.freed(2 + rotation.step(), rotation.loss()) / discs;
+            freed += pull.freed() / discs;
         }
         assertEquals("found", 1.67, found, 0.05);
         assertEquals("freed", 2, freed, 0.1);
