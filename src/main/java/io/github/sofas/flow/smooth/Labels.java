@@ -17,6 +17,8 @@ final class Labels {
     private final Set<Integer> left = new HashSet<>();
     /** Those of them that are all of it again. */
     private final Set<Integer> resumed = new HashSet<>();
+    /** Paths of pieces that merged into a body. */
+    private final Set<Integer> merged = new HashSet<>();
     /** Segments that the engine ended. */
     private final Set<Integer> ended = new HashSet<>();
     /** The label that each goes on as that has ended. */
@@ -63,9 +65,18 @@ final class Labels {
         return in(ends, label);
     }
 
+    /**
+     * Notes that a piece merged into a body; false where it merged before: what a piece was known again in may merge,
+     * and what is left of the piece merge into another body, but these two are not one by that.
+     */
+    boolean mergeOnce(int path) {
+        return merged.add(path);
+    }
+
     /** Lets the path of a piece go that no event has any more. */
     void forgetPiece(int path) {
         labels.remove(path);
+        merged.remove(path);
         ended.remove(path);
     }
 
@@ -144,6 +155,7 @@ final class Labels {
     void forget(int label) {
         ended.removeIf(segment -> ofPath(path(segment)) == label);
         resumed.removeIf(segment -> ofPath(path(segment)) == label);
+        merged.removeIf(path -> ofPath(path) == label);
         paths.values().removeIf(path -> ofPath(path) == label);
         labels.values().removeIf(each -> each == label);
         ends.remove(label);

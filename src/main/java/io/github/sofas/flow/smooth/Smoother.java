@@ -133,7 +133,7 @@ public final class Smoother {
         if (!labels.isResumed(piece.id())) {
             piece.end();
         }
-        if (from == to) {
+        if (from == to || !labels.mergeOnce(piece.id())) {
             return false;
         }
         if (piece.isMeasured() && body.isMeasured() && !piece.movedAsOneWith(body)) {

@@ -105,4 +105,15 @@ public class LabelsTest {
         assertEquals("1 became 2, which became 3", 3, labels.endOf(1));
         assertEquals(2, labels.ofPath(2));
     }
+
+    @Test
+    public void pathIsAPieceOfOneBodyUntilItIsForgotten() {
+        assertTrue(labels.mergeOnce(1));
+        assertFalse(labels.mergeOnce(1));
+        labels.forgetPiece(1);
+        assertTrue(labels.mergeOnce(1));
+        labels.join(1, 2);
+        labels.forget(2);
+        assertTrue("its label is over", labels.mergeOnce(1));
+    }
 }

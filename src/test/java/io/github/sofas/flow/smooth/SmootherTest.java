@@ -18,6 +18,9 @@ public class SmootherTest {
     private static final SensorSize SENSOR = new SensorSize(128, 64);
     private static final int UPPER = 1;
     private static final int LOWER = 2;
+    /** What the lower end is known again in, and another body. */
+    private static final int AGAIN = 3;
+    private static final int OTHER = 4;
 
     private final Smoother smoother = new Smoother(SENSOR, SofasParameters.defaults().track(), 200_000);
     private final EventBatch batch = new EventBatch(40);
@@ -104,5 +107,22 @@ public class SmootherTest {
         assertTrue("9 px apart", smoother.merge(LOWER, UPPER));
         film(10, 20, UPPER, UPPER);
         assertEquals(Map.of(12, 10, 11, 10), given());
+    }
+
+    @Test
+    public void pieceAndWhatItWasKnownAgainInDoNotMakeOneOfTwoBodies() {
+        measured(UPPER, 0, 100, 20);
+        measured(LOWER, 0, 100, 40);
+        film(0, 10, UPPER, LOWER);
+        measured(AGAIN, 100_000, 100, 40);
+        measured(OTHER, 100_000, 100, 40);
+        film(10, 20, UPPER, AGAIN);
+        assertTrue("it has its path now", smoother.isLeft(LOWER));
+        assertTrue(smoother.end(AGAIN));
+        assertFalse("nothing was given", smoother.merge(AGAIN, UPPER));
+        assertTrue("it was all of it again", smoother.end(LOWER));
+        assertFalse(smoother.merge(LOWER, OTHER));
+        assertEquals(UPPER, smoother.label(LOWER));
+        assertEquals(OTHER, smoother.label(OTHER));
     }
 }
