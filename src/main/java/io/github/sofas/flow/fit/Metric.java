@@ -25,6 +25,9 @@ final class Metric {
     private final ShiftProfile placeY;
     private final ShiftProfile timeX;
     private final ShiftProfile timeY;
+    /** Place that stays where it is as they grow, from the centre in px. */
+    private double growsFromX;
+    private double growsFromY;
     private boolean laid;
     private boolean squared;
     private boolean placed;
@@ -68,6 +71,13 @@ final class Metric {
 
     void clear() {
         grid.clear();
+        growFrom(0, 0);
+    }
+
+    /** Takes the events to grow from a place, in px from the centre, until they are forgotten. */
+    void growFrom(double x, double y) {
+        growsFromX = x;
+        growsFromY = y;
     }
 
     /** Takes the border to cut the events off, which move at (vx, vy) px/s in a window of twice so long. */
@@ -144,8 +154,16 @@ final class Metric {
 
     /** At growths of h per s less and more. */
     void alongGrowth(double h, double[] lessAndMore) {
-        takePlaces();
-        lessAndMore(timeX, h, timeY, h, lessAndMore);
+        takeGrowth(fromX, growsFromX, alongX);
+        takeGrowth(fromY, growsFromY, alongY);
+        lessAndMore(alongX, h, alongY, h, lessAndMore);
+    }
+
+    private void takeGrowth(float[] place, double from, ShiftProfile along) {
+        for (int i = 0; i < grid.size(); i++) {
+            shift[i] = (float) ((place[i] - from) * tau[i]);
+        }
+        along.take(shift, grid.size());
     }
 
     /** At changes of the rotation of h rad/s² less and more. */
@@ -191,19 +209,21 @@ final class Metric {
             tiles.find(fromX, fromY, grid.size());
             tiled = true;
         }
-        takeTurn(fromX, tiles.middleX(), fromY, tiles.middleY(), growth, -omega, lessGrowth, -lessOmega, alongX);
-        takeTurn(fromY, tiles.middleY(), fromX, tiles.middleX(), growth, omega, lessGrowth, lessOmega, alongY);
+        takeTurn(fromX, tiles.middleX(), fromY, tiles.middleY(), growth, growsFromX, -omega, lessGrowth, -lessOmega,
+            alongX);
+        takeTurn(fromY, tiles.middleY(), fromX, tiles.middleX(), growth, growsFromY, omega, lessGrowth, lessOmega,
+            alongY);
         return grid.metric(alongX, 1, alongY, 1);
     }
 
     private void takeTurn(float[] own, float[] ownMiddle, float[] other, float[] otherMiddle, double growth,
-                          double turn, double lessGrowth, double lessTurn, ShiftProfile along) {
+                          double from, double turn, double lessGrowth, double lessTurn, ShiftProfile along) {
         int[] tile = tiles.ofEvents();
         for (int i = 0; i < grid.size(); i++) {
             double ownWithin = own[i] - ownMiddle[tile[i]];
             double otherWithin = other[i] - otherMiddle[tile[i]];
-            shift[i] = (float) ((growth * own[i] + turn * other[i] - lessGrowth * ownWithin - lessTurn * otherWithin)
-                * tau[i]);
+            shift[i] = (float) ((growth * (own[i] - from) + turn * other[i] - lessGrowth * ownWithin
+                - lessTurn * otherWithin) * tau[i]);
         }
         along.take(shift, grid.size());
     }

@@ -140,6 +140,15 @@ public final class MetricFit {
         known = false;
     }
 
+    /**
+     * Takes the events to grow from a place beside the centre, until they are forgotten; slopes are about the centre.
+     *
+     * @param x column from the centre of rotation in px, and y the row
+     */
+    void growFrom(double x, double y) {
+        metric.growFrom(x, y);
+    }
+
     /** Whether the events meet more often as they were projected than moved back by velocity (vx, vy). */
     public boolean isSharperAtRest(double vx, double vy) {
         double moved = metric(vx, vy);
@@ -345,6 +354,11 @@ public final class MetricFit {
         slopes.plane = planeRadius > 0 ? plane : null;
         plane.begin(planeRadius);
         metric.slopes(slopes);
+    }
+
+    /** Whether the velocity was fitted by slopes. */
+    boolean isSloped() {
+        return bySlopes;
     }
 
     /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */

@@ -28,6 +28,8 @@ public final class MotionChange {
     private static final double LEAST_SHOWN_PX = 0.03;
     /** Metric that a turning or growth gains, in standard deviations, at which half of it is believed. */
     private static final double GAIN_SIGMAS = 0.2;
+    /** The same of a growth that is not evident: with a velocity it explains more of what is not one body, too. */
+    private static final double NEW_GROWTH_SIGMAS = 2;
     /** Belief in a rotation, 0 to 1, below which none is taken to change: little would be left of what is measured. */
     private static final double LEAST_SPINNING = 0.1;
     /** Measurements to one that looks again how alike the parameters of the motion are. */
@@ -72,6 +74,7 @@ public final class MotionChange {
     private final StructureTensor structure = new StructureTensor();
     private final PlaneChange plane = new PlaneChange();
     private final PathPull pull = new PathPull();
+    private final GrowthFit growthFit = new GrowthFit();
     private int measurements;
     /** How clearly the acceleration along shows, in standard deviations of the metric. */
     private double bendSigmas;
@@ -170,17 +173,18 @@ public final class MotionChange {
             Parabola fitted = fit.changes().rotation(perPx * ChangeFit.APART_PX);
             pull.take(fitted, loss.metric, motion, half, radius);
             double omega = pull.freed();
-            turns = gained(pull.ownLoss() * structure.own(StructureTensor.TURN) * omega * omega, loss.metric);
+            turns = gained(pull.ownLoss() * structure.own(StructureTensor.TURN) * omega * omega, GAIN_SIGMAS,
+                loss.metric);
             newOmega = believed(omega, perPx, turnNoisePx) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
-            Parabola fitted = fit.changes().growth(perPx * ChangeFit.APART_PX);
-            double growth = grown + fitted.step();
-            growthSlope.measured(growth, motion.referenceUs, fitted.step(), perPx, half);
-            grows = gained(fitted.loss() * structure.own(StructureTensor.GROW) * growth * growth, loss.metric);
-            newGrowth = believed(growth, perPx, turnNoisePx) * grows;
-            loss.grow = fitted.loss();
+            growthFit.measure(fit, structure, grown, half, radius);
+            growthSlope.measured(growthFit.growth(), motion.referenceUs, growthFit.step(), perPx, half);
+            boolean isEvident = growsAsOne || evidence >= EVIDENT_SIGMAS;
+            grows = gained(growthFit.gain(), isEvident ? GAIN_SIGMAS : NEW_GROWTH_SIGMAS, loss.metric);
+            newGrowth = believed(growthFit.growth(), growthFit.perPx(), turnNoisePx) * grows;
+            loss.grow = growthFit.lossAboutCentre(loss);
         }
         boolean mayShow = Math.max(Math.abs(newOmega), Math.abs(newGrowth)) > LEAST_SHOWN_PX * perPx;
         if (!mayShow || evidence < EVIDENT_SIGMAS || measurements % EVIDENT_EVERY == 0) {
@@ -193,7 +197,7 @@ public final class MotionChange {
         double sure = growsAsOne ? 1 : sure();
         double sureOfTurning = turnsAsOne ? 1 : sure;
         motion.omega = sureOfTurning * newOmega;
-        motion.growth = sure * newGrowth;
+        growthFit.give(motion, sure * newGrowth);
         motion.growthChange = isSteadyInDepth ? motion.growth * motion.growth
             : sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
         if (turns * sureOfTurning < LEAST_SPINNING) {
@@ -308,9 +312,9 @@ public final class MotionChange {
         return before + gain * (measured - before);
     }
 
-    /** How far a change is real, 0 to 1, that gains so much of the metric. */
-    private static double gained(double gain, double metric) {
-        return shareOf(gain * gain, gain * gain + GAIN_SIGMAS * GAIN_SIGMAS * Math.max(1, metric));
+    /** How far a change is real, 0 to 1, that gains so much of the metric; half where that is so many deviations. */
+    private static double gained(double gain, double sigmas, double metric) {
+        return shareOf(gain * gain, gain * gain + sigmas * sigmas * Math.max(1, metric));
     }
 
     /** Shift that may be noise: what many events have in common, and what one has, the less the more there are. */

@@ -21,11 +21,16 @@ final class StructureTensor {
     private static final double NOISE = 0.005;
     /** Part of a new picture that is taken over. */
     private static final double GAIN = 0.5;
+    /** Share of all that velocities change which along either axis may be noise: along an edge nothing is known. */
+    private static final double FLAT = 0.1;
 
     private final double[][] sum = new double[N][N];
     /** What shows of each parameter as a share of all that shows, and what of that is its own: means of late. */
     private final double[] shows = new double[N];
     private final double[] own = new double[N];
+    /** The velocity that changes the picture as a growth does, in px/s per px/s at the radius: a mean of late. */
+    private double growsFromX;
+    private double growsFromY;
     private boolean known;
     // by how much each parameter changes a place of the one picture, and of the other
     private final double[] one = new double[N];
@@ -35,6 +40,8 @@ final class StructureTensor {
     /** Forgets all pictures. */
     void restart() {
         known = false;
+        growsFromX = 0;
+        growsFromY = 0;
     }
 
     /** Begins with a new picture. */
@@ -81,6 +88,22 @@ final class StructureTensor {
         known = true;
         take(TURN, all, gain);
         take(GROW, all, gain);
+        takeGrowsFrom(gain);
+    }
+
+    /** Takes over from the picture the velocity that explains the most of what growth changes. */
+    private void takeGrowsFrom(double gain) {
+        double noise = FLAT * Math.max(0, sum[0][0] + sum[1][1]);
+        double xx = Math.max(0, sum[0][0]) + noise;
+        double yy = Math.max(0, sum[1][1]) + noise;
+        double xy = (sum[0][1] + sum[1][0]) / 2;
+        double x = (sum[0][GROW] + sum[GROW][0]) / 2;
+        double y = (sum[1][GROW] + sum[GROW][1]) / 2;
+        double det = xx * yy - xy * xy;
+        if (det > 0) {
+            growsFromX += gain * ((yy * x - xy * y) / det - growsFromX);
+            growsFromY += gain * ((xx * y - xy * x) / det - growsFromY);
+        }
     }
 
     /** Takes over from the picture what shows of a parameter, and what of that no other can explain. */
@@ -105,6 +128,19 @@ final class StructureTensor {
     /** What shows of a parameter that none of the others can explain, as a share of what shows of it: 0 to 1. */
     double own(int parameter) {
         return known ? own[parameter] / shows[parameter] : 0;
+    }
+
+    /**
+     * Column, from the centre and in radii, of the place from which a growth changes the picture least as a velocity
+     * does; from another place, the two are taken for each other.
+     */
+    double growsFromX() {
+        return growsFromX;
+    }
+
+    /** The same, the row. */
+    double growsFromY() {
+        return growsFromY;
     }
 
     /** Takes away from all others what a parameter explains of them: a step of Gauss's elimination. */

@@ -51,6 +51,18 @@ public class ChangeFitTest {
     }
 
     @Test
+    public void growthFromAPlaceBesideTheCentreIsThatWithTheVelocityThatHoldsThePlace() {
+        // from 15 px to the right and 10 px up a growth of 0.04 per s moves the centre to the left by 0.6, down by 0.4
+        MetricFit grows = dots(new double[][] {{-20, -20, 20, 20}}, new double[][] {{-0.6, 0.4}}, 0, 0, 0.04);
+        grows.growFrom(15, -10);
+        Parabola fitted = grows.changes().growth(0.08);
+        assertEquals(0.04, fitted.step(), 0.01);
+        assertTrue("as an evident growth has it", grows.localEvidence(0, 0.04, 0, 0.04) > 0);
+        grows.clear();
+        assertEquals("all is forgotten", 0, grows.changes().growth(0.08).step(), 0);
+    }
+
+    @Test
     public void eachChangeIsSteppedToBySlopes() {
         // 0.02 per s shift the ends of the window by 0.4 px at 20 px; a step goes about half of the way or more
         MetricFit turns = changing(0.02, 0, 0);

@@ -57,11 +57,12 @@ public class MotionChangeTest {
     }
 
     /** Fits the velocity of such clouds, beside the motion that they are projected along. */
-    private MetricFit fitted(Motion motion, Motion[] truth, double[] middles, double reach) {
+    private MetricFit fitted(Motion motion, Motion[] truth, double[] middles, double... reaches) {
         MetricFit fit = new MetricFit(128, 96, MetricFit.CELL_PX, 4096, 1900);
         Random random = new Random(5);
         for (int dot = 0; dot < 60; dot++) {
             Motion its = truth[dot % truth.length];
+            double reach = reaches[dot % reaches.length];
             double x = middles[dot % truth.length] + 2 * reach * (random.nextDouble() - 0.5);
             double y = 40 + 2 * reach * (random.nextDouble() - 0.5);
             for (int k = 0; k < 20; k++) {
@@ -114,6 +115,21 @@ public class MotionChangeTest {
         assertTrue(loss.grow > 0);
         truth.growth = -0.5;
         assertEquals(-0.5, measured(truth, DEFAULTS).growth, 0.05);
+    }
+
+    @Test
+    public void growthOfWhatGivesMostEventsOnOneSideIsFoundWithTheVelocityThatGoesWithIt() {
+        Motion truth = steady();
+        truth.growth = 0.5;
+        // of the dots two thirds lie about 12 px to the right of the middle, where they move at 106 px/s
+        Motion motion = steady();
+        motion.vx = 106;
+        for (int repeat = 0; repeat < 5; repeat++) {
+            MetricFit fit = fitted(motion, new Motion[] {truth, truth, truth}, new double[] {62, 62, 50}, 8, 8, 20);
+            change.measure(fit, motion, loss, HALF_S, RADIUS_PX, true, DEFAULTS.track());
+        }
+        assertEquals(0.5, motion.growth, 0.05);
+        assertEquals("as the many dots", 106, motion.vx + 12 * motion.growth, 2);
     }
 
     @Test

@@ -75,6 +75,23 @@ public class StructureTensorTest {
     }
 
     @Test
+    public void ringGrowsFromItsMiddleAndAnEdgeFromItself() {
+        assertEquals("nothing is known", 0, tensor.growsFromX(), 0);
+        arc(0, 360, 0, 0);
+        assertEquals(0, tensor.growsFromX(), 0.01);
+        assertEquals(0, tensor.growsFromY(), 0.01);
+        tensor.restart();
+        tensor.begin();
+        for (int k = 0; k < PLACES; k++) {
+            // upright edge at the right: a growth of 1 moves it as a velocity of 1 does, a tenth of which is noise
+            add(1, 0, 1, 2.0 * k / PLACES - 1);
+        }
+        tensor.end();
+        assertEquals(1 / 1.1, tensor.growsFromX(), 0.01);
+        assertEquals(0, tensor.growsFromY(), 0.01);
+    }
+
+    @Test
     public void noiseOfEitherPictureHasNoPart() {
         tensor.begin();
         for (int k = 0; k < PLACES; k++) {
