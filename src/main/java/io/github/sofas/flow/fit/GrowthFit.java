@@ -22,26 +22,29 @@ final class GrowthFit {
     private double gain;
 
     /**
-     * Fits the growth of events whose velocity was fitted; by slopes, as what is steady is, about the centre.
+     * Fits the growth of events whose velocity was fitted. By slopes, as of what is steady, it is about the centre, and
+     * so it is of a plane, whose parameters {@link PlaneChange} measures all at once.
      *
      * @param structure of the pictures that the events made of late
      * @param grown growth that the events were projected along, in 1/s
      * @param half half the window in s
      * @param radius of the structure in px
+     * @param isPlane whether it is measured as a plane, too
      */
-    void measure(MetricFit fit, StructureTensor structure, double grown, double half, double radius) {
-        boolean isSloped = fit.isSloped();
-        fromX = isSloped ? 0 : radius * structure.growsFromX();
-        fromY = isSloped ? 0 : radius * structure.growsFromY();
+    void measure(MetricFit fit, StructureTensor structure, double grown, double half, double radius,
+                 boolean isPlane) {
+        boolean isAboutCentre = isPlane || fit.isSloped();
+        fromX = isAboutCentre ? 0 : radius * structure.growsFromX();
+        fromY = isAboutCentre ? 0 : radius * structure.growsFromY();
         fit.growFrom(fromX, fromY);
         perPx = 1 / (half * Math.sqrt(radius * radius + fromX * fromX + fromY * fromY));
         Parabola fitted = fit.changes().growth(perPx * ChangeFit.APART_PX);
         step = fitted.step();
         growth = grown + step;
         loss = fitted.loss();
-        double ownLoss = isSloped ? loss * structure.own(StructureTensor.GROW) : loss;
+        double ownLoss = isAboutCentre ? loss * structure.own(StructureTensor.GROW) : loss;
         // far from the growth the metric is no top yet, and only rises
-        gain = isSloped || loss > 0 || step == 0 ? ownLoss * growth * growth : Math.abs(fitted.slope());
+        gain = isAboutCentre || loss > 0 || step == 0 ? ownLoss * growth * growth : Math.abs(fitted.slope());
     }
 
     /** Growth that shifts the ends of the window by a pixel at the radius, from the place that stays, in 1/s. */

@@ -142,7 +142,7 @@ public final class MotionChange {
         double turned = motion.omega;
         double grown = motion.growth;
         if (radius > LEAST_RADIUS_PX && (p.rotation() || p.growth())) {
-            measureTurnAndGrowth(fit, motion, loss, half, p);
+            measureTurnAndGrowth(fit, motion, loss, half, isPlane, p);
         }
         if (isPlane) {
             plane.measure(fit, loss.metric, motion, turned, grown, half, radius);
@@ -158,7 +158,7 @@ public final class MotionChange {
     }
 
     private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,
-                                      SofasParameters.Track p) {
+                                      boolean isPlane, SofasParameters.Track p) {
         if (measurements % STRUCTURE_EVERY == 1) {
             fit.structure(structure, radius);
         }
@@ -179,9 +179,9 @@ public final class MotionChange {
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
-            growthFit.measure(fit, structure, grown, half, radius);
+            growthFit.measure(fit, structure, grown, half, radius, isPlane);
             growthSlope.measured(growthFit.growth(), motion.referenceUs, growthFit.step(), perPx, half);
-            boolean isEvident = growsAsOne || evidence >= EVIDENT_SIGMAS;
+            boolean isEvident = isPlane || growsAsOne || evidence >= EVIDENT_SIGMAS;
             grows = gained(growthFit.gain(), isEvident ? GAIN_SIGMAS : NEW_GROWTH_SIGMAS, loss.metric);
             newGrowth = believed(growthFit.growth(), growthFit.perPx(), turnNoisePx) * grows;
             loss.grow = growthFit.lossAboutCentre(loss);

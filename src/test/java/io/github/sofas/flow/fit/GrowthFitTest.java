@@ -42,7 +42,7 @@ public class GrowthFitTest {
     public void growthFromWhereItLooksLeastLikeAVelocityIsFoundWithThatOfTheCentre() {
         // 0.02 1/s shift the ends of the window by half a pixel
         film(0.02);
-        growth.measure(fit, structure, 0, HALF_S, RADIUS_PX);
+        growth.measure(fit, structure, 0, HALF_S, RADIUS_PX, false);
         assertEquals(0.02, growth.growth(), 0.01);
         assertEquals(growth.growth(), growth.step(), 0);
         // a pixel at the end of the window, at the root of 20² + 18.2² px
@@ -58,7 +58,7 @@ public class GrowthFitTest {
     @Test
     public void aboutTheCentreIsLostWhatTheVelocityOfTheCentreLosesToo() {
         film(0);
-        growth.measure(fit, structure, 0, HALF_S, RADIUS_PX);
+        growth.measure(fit, structure, 0, HALF_S, RADIUS_PX, false);
         MotionLoss loss = new MotionLoss();
         loss.clear();
         double alone = growth.lossAboutCentre(loss);
