@@ -9,7 +9,7 @@ import io.github.sofas.flow.motion.Motion;
  * those of its front. These meet along one velocity, whatever the growth, so that the metric has a narrow ridge: from
  * the middle of the events, either of growth and velocity is best where the other is wrong, and measuring them in turn
  * took 10 px of travel to climb it. From the place where growth and velocity change the picture least alike, often the
- * front, the ridge is straight.
+ * front, the ridge lies along the growth, and either is best whatever the other is.
  */
 final class GrowthFit {
     // place that stays where it is as the structure grows, from its centre in px
