@@ -29,9 +29,10 @@ final class SegmentPath {
 
     /** Parts of the time over which it is seen whether two moved along together. */
     private static final int PARTS = 8;
-    /** How far two that are one may seem to go apart: in px, and as a share of their way. */
+    /** How far two that are one may seem to go apart: in px, and as shares of their way and of what turning shifts. */
     private static final double APART_PX = 3;
     private static final double APART_SHARE = 0.15;
+    private static final double APART_TURNING = 0.5;
     /**
      * Share of its speed by which a motion may have changed since it was measured last: what turns back or pauses seems
      * to slow down without end.
@@ -123,10 +124,15 @@ final class SegmentPath {
     }
 
     /**
-     * Whether it may have been one body with another as long as both are known: they went apart by no more than what
-     * turned and grew as much as either did.
+     * Whether it may have been one body with another as long as both are known: the body of which the motion of either
+     * is known takes the other along. A piece may not show that it turns, or show it late.
      */
     boolean movedAsOneWith(SegmentPath other) {
+        return tookAlong(other) || other.tookAlong(this);
+    }
+
+    /** Whether another went about where this, were it of the same body, took it. */
+    private boolean tookAlong(SegmentPath other) {
         long fromUs = Math.max(first().referenceUs, other.first().referenceUs);
         double seconds = (Math.min(last().referenceUs, other.last().referenceUs) - fromUs) * 1e-6 / PARTS;
         double x = 0;
@@ -135,11 +141,12 @@ final class SegmentPath {
         for (int part = 0; part < PARTS && seconds > 0; part++) {
             at(fromUs + (long) ((part + 0.5) * seconds * 1e6), before);
             other.at(before.referenceUs, after);
+            double distance = Math.hypot(after.centreX - before.centreX, after.centreY - before.centreY);
+            double turning = Math.max(Math.hypot(before.omega, before.growth), Math.hypot(after.omega, after.growth));
+            may += (APART_SHARE * Math.hypot(after.vx, after.vy) + APART_TURNING * turning * distance) * seconds;
+            before.moveCentre(after.centreX, after.centreY);
             x += (after.vx - before.vx) * seconds;
             y += (after.vy - before.vy) * seconds;
-            double turning = Math.max(Math.hypot(before.omega, before.growth), Math.hypot(after.omega, after.growth));
-            may += (APART_SHARE * Math.hypot(before.vx, before.vy) + turning
-                * Math.hypot(after.centreX - before.centreX, after.centreY - before.centreY)) * seconds;
         }
         return Math.hypot(x, y) <= may;
     }

@@ -129,6 +129,58 @@ public class SegmentPathTest {
         assertEquals(50, at.ax, EXACT);
     }
 
+    /** Within half a second, 50 px to the right of what stands and turns by 2 rad/s. */
+    private boolean isOneWithWhatTurns(double vy) {
+        SegmentPath piece = new SegmentPath(2);
+        for (long us = 0; us <= 500_000; us += 500_000) {
+            Motion turning = motion(us, 0, 0);
+            turning.omega = 2;
+            path.add(turning);
+            Motion moving = motion(us, 0, 50);
+            moving.vy = vy;
+            moving.centreY = vy * us * 1e-6;
+            piece.add(moving);
+        }
+        boolean isOne = path.movedAsOneWith(piece);
+        assertEquals("whichever is asked", isOne, piece.movedAsOneWith(path));
+        return isOne;
+    }
+
+    @Test
+    public void pieceThatGoesWhereTheBodyTurnsIsOneWithItThoughItDoesNotShowThatItTurns() {
+        // 2 rad/s move the place of the piece down by 100 px/s
+        assertTrue(isOneWithWhatTurns(100));
+        assertTrue("a little late", isOneWithWhatTurns(60));
+    }
+
+    @Test
+    public void whatGoesAgainstTheTurningOfAnotherIsNotOneWithIt() {
+        // 37 px apart in the time, of which half of the turning excuses 27, a distance of 53 px in the mean; and 3 more
+        assertFalse(isOneWithWhatTurns(-75));
+    }
+
+    @Test
+    public void piecesThatDoNotTurnAreOneWhereTheirVelocitiesAgreeToASeventh() {
+        SegmentPath slower = new SegmentPath(2);
+        SegmentPath slow = new SegmentPath(3);
+        for (long us = 0; us <= 1_000_000; us += 1_000_000) {
+            path.add(motion(us, 100, us * 100e-6));
+            slower.add(motion(us, 84, us * 84e-6));
+            slow.add(motion(us, 80, us * 80e-6));
+        }
+        // 16 and 20 px apart: 3 and 15 of 100 px may be
+        assertTrue(path.movedAsOneWith(slower));
+        assertFalse(path.movedAsOneWith(slow));
+    }
+
+    @Test
+    public void whatWasNotKnownAtTheSameTimeMayBeOne() {
+        path.add(motion(0, 100, 0));
+        SegmentPath later = new SegmentPath(2);
+        later.add(motion(1_000_000, -100, 0));
+        assertTrue(path.movedAsOneWith(later));
+    }
+
     @Test
     public void laterMeasurementOfAnEarlierTimeTakesThePlaceOfOlderOnes() {
         path.add(motion(0, 100, 0));
