@@ -4,18 +4,15 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * How the motion of a structure differs from one velocity for all of it: acceleration along and across the axis that
- * is known best, rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far
- * as it passes what noise could be; of a large structure rotation and growth with its deformation ({@link
+ * How the motion of a structure differs from one velocity for all of it: acceleration ({@link AccelerationFit}),
+ * rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far as it passes
+ * what noise could be ({@link Belief}); of a large structure rotation and growth with its deformation ({@link
  * PlaneChange}). Ours, because a velocity that is that of the middle of the window lags: by 25 of a pendulum's 380
  * px/s.
  */
 public final class MotionChange {
     /** Shift of the end of the window by a new change of the rotation that is half taken over at once, in px. */
     private static final double NEWS_PX = 1;
-    /** The same of a new acceleration: of many events, and what the fewness of events adds, by their number. */
-    private static final double BEND_NEWS_PX = 0.16;
-    private static final double EVENT_NEWS_PX = 300;
     /** Part of new evidence that is taken over with each measurement. */
     private static final double EVIDENCE_GAIN = 0.3;
     /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
@@ -34,50 +31,32 @@ public final class MotionChange {
     private static final double LEAST_SPINNING = 0.1;
     /** Measurements to one that looks again how alike the parameters of the motion are. */
     private static final int STRUCTURE_EVERY = 4;
-    /** Share of a newly measured acceleration that is taken over: successive windows share most events. */
+    /** Share of a newly measured change that is taken over: successive windows share most events. */
     private static final double CHANGE_GAIN = 0.5;
-    /**
-     * Shift at the end of the window by a change that may be noise: most motion is steady. Steady structures of 2,000
-     * events and more show 0.02 px; a camera that moves by hand bends by 0.13 px in a window.
-     */
-    private static final double BEND_PX = 0.04;
-    /** The same by rotation, growth and their changes. */
+    /** Shift at the end of the window by rotation, growth and their changes that may be noise: most do neither. */
     private static final double TURN_PX = 0.03;
     /**
      * Measurements in which a structure that was just found settles, and what may be noise until then: corrections of
      * its first velocity look like changes, and changes that are believed too early swing to and fro.
      */
     private static final int SETTLING = 40;
-    private static final double SETTLING_BEND_PX = 0.07;
     private static final double SETTLING_TURN_PX = 0.05;
-    /**
-     * What a single event would add to what may be noise of an acceleration, in px, and of turning and growing; many
-     * add less, by their number, because they meet by its square. Found by a ball before a DVS128, of which 150 events
-     * showed accelerations of 4,000 px/s² to and fro.
-     */
-    private static final double EVENT_BEND_PX = 45;
+    /** What a single event would add to that, in px; many add less, by their number. */
     private static final double EVENT_TURN_PX = 60;
-    /** Knowledge of a change, as a share of the best known, at which it counts half. */
-    private static final double FLAT_CHANGE = 0.1;
     /** What is left of a change with each measurement that cannot be made. */
     private static final double HELD = 0.8;
     /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
     private static final double LEAST_RADIUS_PX = 1;
 
-    // as measured, before what may be noise is left out
-    private double along;
-    private double across;
+    /** The change of the rotation as measured, before what may be noise is left out. */
     private double alpha;
-    /** The acceleration across as far as it is known. */
-    private double shownAcross;
+    private final AccelerationFit acceleration = new AccelerationFit();
     private final SeriesSlope growthSlope = new SeriesSlope();
     private final StructureTensor structure = new StructureTensor();
     private final PlaneChange plane = new PlaneChange();
     private final PathPull pull = new PathPull();
     private final GrowthFit growthFit = new GrowthFit();
     private int measurements;
-    /** How clearly the acceleration along shows, in standard deviations of the metric. */
-    private double bendSigmas;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
     private double evidence;
     /** Whether the structure is known to turn as one body, and to grow as one, whatever shows within parts of it. */
@@ -90,23 +69,22 @@ public final class MotionChange {
     private double ofAllGrowth;
     /** Radius of the structure when it was measured last, in px. */
     private double radius;
-    /** Shifts at the end of the window that may be noise of as many events as are measured, in px. */
-    private double bendNoisePx;
+    /** Shift at the end of the window that may be noise of as many events as are measured, in px. */
     private double turnNoisePx;
+    /** Whether it is measured as a plane. */
+    private boolean isPlane;
 
     /** Begins with a steady motion. */
     public void restart() {
-        along = 0;
-        across = 0;
         alpha = 0;
+        acceleration.restart();
         growthSlope.restart();
-        shownAcross = 0;
-        bendSigmas = 0;
         evidence = 0;
         ofAllOmega = 0;
         ofAllGrowth = 0;
         radius = 0;
         measurements = 0;
+        isPlane = false;
         structure.restart();
         plane.restart();
     }
@@ -123,26 +101,23 @@ public final class MotionChange {
     public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
                         boolean isOfOnePolarity, SofasParameters.Track p) {
         isSteadyInDepth = isOfOnePolarity && growsAsOne;
-        boolean isPlane = planeRadius(fit.size(), structureRadius, p) > 0;
+        isPlane = planeRadius(fit.size(), structureRadius, p) > 0;
         radius = structureRadius;
         measurements++;
         boolean settles = measurements < SETTLING;
-        bendNoisePx = noisePx(settles ? SETTLING_BEND_PX : BEND_PX, EVENT_BEND_PX, fit.size());
-        turnNoisePx = noisePx(settles ? SETTLING_TURN_PX : TURN_PX, EVENT_TURN_PX, fit.size());
+        turnNoisePx = Belief.noisePx(settles ? SETTLING_TURN_PX : TURN_PX, EVENT_TURN_PX, fit.size());
         if (p.acceleration()) {
-            measureAcceleration(fit, motion, loss, half);
+            // of what is steady in depth, whose size is s / (T - t), growth is g = 1 / (T - t) and each point has the
+            // acceleration 2 g v, which is more than a window shows
+            double perSpeed = isSteadyInDepth ? 2 * motion.growth : 0;
+            acceleration.measure(fit, motion, loss, half, perSpeed, settles, isPlane);
         } else {
-            along = 0;
-            across = 0;
-            shownAcross = 0;
-            bendSigmas = 0;
-            motion.ax = 0;
-            motion.ay = 0;
+            acceleration.leaveOut(motion);
         }
         double turned = motion.omega;
         double grown = motion.growth;
         if (radius > LEAST_RADIUS_PX && (p.rotation() || p.growth())) {
-            measureTurnAndGrowth(fit, motion, loss, half, isPlane, p);
+            measureTurnAndGrowth(fit, motion, loss, half, p);
         }
         if (isPlane) {
             plane.measure(fit, loss.metric, motion, turned, grown, half, radius);
@@ -158,7 +133,7 @@ public final class MotionChange {
     }
 
     private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,
-                                      boolean isPlane, SofasParameters.Track p) {
+                                      SofasParameters.Track p) {
         if (measurements % STRUCTURE_EVERY == 1) {
             fit.structure(structure, radius);
         }
@@ -173,17 +148,17 @@ public final class MotionChange {
             Parabola fitted = fit.changes().rotation(perPx * ChangeFit.APART_PX);
             pull.take(fitted, loss.metric, motion, half, radius);
             double omega = pull.freed();
-            turns = gained(pull.ownLoss() * structure.own(StructureTensor.TURN) * omega * omega, GAIN_SIGMAS,
+            turns = Belief.byGain(pull.ownLoss() * structure.own(StructureTensor.TURN) * omega * omega, GAIN_SIGMAS,
                 loss.metric);
-            newOmega = believed(omega, perPx, turnNoisePx) * turns;
+            newOmega = Belief.in(omega, perPx, turnNoisePx) * turns;
             loss.turn = fitted.loss();
         }
         if (p.growth()) {
             growthFit.measure(fit, structure, grown, half, radius, isPlane);
             growthSlope.measured(growthFit.growth(), motion.referenceUs, growthFit.step(), perPx, half);
             boolean isEvident = isPlane || growsAsOne || evidence >= EVIDENT_SIGMAS;
-            grows = gained(growthFit.gain(), isEvident ? GAIN_SIGMAS : NEW_GROWTH_SIGMAS, loss.metric);
-            newGrowth = believed(growthFit.growth(), growthFit.perPx(), turnNoisePx) * grows;
+            grows = Belief.byGain(growthFit.gain(), isEvident ? GAIN_SIGMAS : NEW_GROWTH_SIGMAS, loss.metric);
+            newGrowth = Belief.in(growthFit.growth(), growthFit.perPx(), turnNoisePx) * grows;
             loss.grow = growthFit.lossAboutCentre(loss);
         }
         boolean mayShow = Math.max(Math.abs(newOmega), Math.abs(newGrowth)) > LEAST_SHOWN_PX * perPx;
@@ -199,46 +174,16 @@ public final class MotionChange {
         motion.omega = sureOfTurning * newOmega;
         growthFit.give(motion, sure * newGrowth);
         motion.growthChange = isSteadyInDepth ? motion.growth * motion.growth
-            : sure * grows * believed(growthSlope.perS(), perPx / half, turnNoisePx);
+            : sure * grows * Belief.in(growthSlope.perS(), perPx / half, turnNoisePx);
         if (turns * sureOfTurning < LEAST_SPINNING) {
             alpha = 0;
             motion.alpha = 0;
         } else if (p.acceleration()) {
             double perPxOfSpin = 2 * perPx / half;
             double step = fit.changes().spin(perPxOfSpin * ChangeFit.APART_PX).step();
-            alpha = taken(alpha, motion.alpha + step, perPxOfSpin, NEWS_PX);
-            motion.alpha = believed(alpha, perPxOfSpin, turnNoisePx) * turns * sureOfTurning;
+            alpha = Belief.taken(alpha, motion.alpha + step, CHANGE_GAIN, perPxOfSpin, NEWS_PX);
+            motion.alpha = Belief.in(alpha, perPxOfSpin, turnNoisePx) * turns * sureOfTurning;
         }
-    }
-
-    /**
-     * Measures the acceleration. Of what is steady in depth, whose size is s / (T - t), growth is g = 1 / (T - t) and
-     * changes by g²; each point has the acceleration 2 g v, which is more than a window shows: what may be noise is
-     * what differs from that.
-     */
-    private void measureAcceleration(MetricFit fit, Motion motion, MotionLoss loss, double half) {
-        double axisX = loss.axisX;
-        double axisY = loss.axisY;
-        double flatness = loss.flatness();
-        double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
-        double h = perPx * ChangeFit.APART_PX;
-        Parabola fitted = fit.changes().acceleration(axisX, axisY, h);
-        along = taken(along, motion.ax * axisX + motion.ay * axisY + fitted.step(), perPx,
-            noisePx(BEND_NEWS_PX, EVENT_NEWS_PX, fit.size()));
-        bendSigmas = Math.max(Math.abs(fitted.slope()), 2 * fitted.loss() * h * Math.abs(along))
-            / MetricFit.sd(loss.metric);
-        double stepAcross = fit.changes().acceleration(-axisY, axisX, h).step();
-        across += CHANGE_GAIN * (motion.ay * axisX - motion.ax * axisY + stepAcross - across);
-        // along a straight edge nothing is known, of acceleration still less than of velocity
-        double shown = MetricFit.shown(flatness, FLAT_CHANGE);
-        shownAcross = across * shown;
-        double perSpeed = isSteadyInDepth ? 2 * motion.growth : 0;
-        double inDepthAlong = perSpeed * (motion.vx * axisX + motion.vy * axisY);
-        double inDepthAcross = perSpeed * (motion.vy * axisX - motion.vx * axisY);
-        double a = inDepthAlong + believed(along - inDepthAlong, perPx, bendNoisePx);
-        double b = inDepthAcross + believed(across - inDepthAcross, perPx, bendNoisePx) * shown;
-        motion.ax = a * axisX - b * axisY;
-        motion.ay = a * axisY + b * axisX;
     }
 
     /** How far rotation and growth are those of one body, 0 to 1. */
@@ -249,12 +194,8 @@ public final class MotionChange {
 
     /** Holds the motion steady where it cannot be measured, because another structure crosses or no events come. */
     public void hold(Motion motion) {
-        along *= HELD;
-        across *= HELD;
-        shownAcross *= HELD;
+        acceleration.hold(motion, HELD);
         alpha *= HELD;
-        motion.ax *= HELD;
-        motion.ay *= HELD;
         motion.omega *= HELD;
         motion.alpha *= HELD;
         motion.growth *= HELD;
@@ -293,44 +234,16 @@ public final class MotionChange {
 
     /** Shift at the end of the window by the acceleration and by the change of the rotation, in px. */
     public double bendPx(double half) {
-        double turned = alpha * radius;
-        return Math.sqrt(along * along + shownAcross * shownAcross + turned * turned) * half * half / 2;
+        return Math.hypot(acceleration.measured(), alpha * radius) * half * half / 2;
     }
 
-    /**
-     * How clearly the acceleration along the best known axis shows: what the metric falls by towards none, at the
-     * distance of the projections that measure it, in standard deviations of the metric. Noise has 0.4.
-     */
+    /** How clearly the acceleration shows, in standard deviations of the metric. */
     public double bendSigmas() {
-        return bendSigmas;
+        return acceleration.sigmas();
     }
 
-    /** A change with a new measurement of it: the more of that, the farther it is from what noise could be. */
-    private static double taken(double before, double measured, double perPx, double newsPx) {
-        double px = (measured - before) / perPx;
-        double gain = CHANGE_GAIN + (1 - CHANGE_GAIN) * px * px / (px * px + newsPx * newsPx);
-        return before + gain * (measured - before);
-    }
-
-    /** How far a change is real, 0 to 1, that gains so much of the metric; half where that is so many deviations. */
-    private static double gained(double gain, double sigmas, double metric) {
-        return shareOf(gain * gain, gain * gain + sigmas * sigmas * Math.max(1, metric));
-    }
-
-    /** Shift that may be noise: what many events have in common, and what one has, the less the more there are. */
-    static double noisePx(double ofMany, double ofOne, int events) {
-        double byFewness = ofOne / Math.max(1, events);
-        return Math.sqrt(ofMany * ofMany + byFewness * byFewness);
-    }
-
-    /** A change that shifts the ends of the window by no more than the noise is none. */
-    static double believed(double value, double perPx, double noisePx) {
-        double px = value / perPx;
-        return value * shareOf(px * px, px * px + noisePx * noisePx);
-    }
-
-    /** A share of what is known; where nothing is known, none. */
-    private static double shareOf(double part, double whole) {
-        return whole > 0 ? part / whole : 0;
+    /** Whether it was measured as that of a plane last. */
+    public boolean isOfPlane() {
+        return isPlane;
     }
 }

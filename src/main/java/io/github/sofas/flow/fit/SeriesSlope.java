@@ -19,6 +19,10 @@ final class SeriesSlope {
     private static final double LEAST_NEWS = 0.6;
 
     private double slope;
+    /** Mean square of what slopes between two measurements differ from their mean by. */
+    private double scatter;
+    /** Mean part of half a window that two measurements lie apart by. */
+    private double apart;
     private double before;
     private long beforeUs;
     /** Whether there is a value before. */
@@ -29,6 +33,8 @@ final class SeriesSlope {
     /** Begins without measurements. */
     void restart() {
         slope = 0;
+        scatter = 0;
+        apart = 0;
         news = 0;
         follows = false;
     }
@@ -47,12 +53,16 @@ final class SeriesSlope {
         boolean isOfAnother = !follows && Math.abs(value - before) > ANOTHER_PX * perPx;
         if (isOfAnother || Math.abs(step) > UNSETTLED_PX * perPx) {
             slope = 0;
+            scatter = 0;
             news = 0;
         } else if (follows && seconds > 0) {
             double part = Math.min(1, seconds / half);
             news += part;
             if (news > LEAST_NEWS) {
-                slope += part * ((value - before) / seconds - slope);
+                double off = (value - before) / seconds - slope;
+                apart += part * (part - apart);
+                scatter += part / 2 * (off * off - scatter);
+                slope += part * off;
             }
         }
         before = value;
@@ -68,6 +78,14 @@ final class SeriesSlope {
     /** Goes on from a value that was not measured: what leads there is no slope, or that of another structure. */
     void skip() {
         follows = false;
+    }
+
+    /**
+     * What noise of the measurements may make of the slope, a second: of slopes between neighbours, which share a value
+     * each, the first and the last value are left in a mean, so that it differs by as much less as there are of them.
+     */
+    double noisePerS() {
+        return Math.sqrt(scatter) * apart;
     }
 
     /** Change of the parameter a second; 0 where it is not known. */

@@ -18,6 +18,12 @@ public final class Motion {
     /** Acceleration of the centre in px/s². */
     public double ax;
     public double ay;
+    /**
+     * What the acceleration changes by as the reference moves, in px/s³; what is projected, about the reference, has
+     * that of the reference.
+     */
+    public double jerkX;
+    public double jerkY;
     /** Rotation at t0 in rad/s; positive turns x towards y, clockwise as seen. */
     public double omega;
     /** Change of the rotation in rad/s². */
@@ -47,6 +53,8 @@ public final class Motion {
     public void hold() {
         ax = 0;
         ay = 0;
+        jerkX = 0;
+        jerkY = 0;
         alpha = 0;
         growthChange = 0;
     }
@@ -58,6 +66,8 @@ public final class Motion {
         vy = other.vy;
         ax = other.ax;
         ay = other.ay;
+        jerkX = other.jerkX;
+        jerkY = other.jerkY;
         omega = other.omega;
         alpha = other.alpha;
         growth = other.growth;
@@ -70,10 +80,12 @@ public final class Motion {
     /** Moves the reference in time; the motion stays the same. */
     public void moveReference(long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
-        centreX += (vx + 0.5 * ax * dt) * dt;
-        centreY += (vy + 0.5 * ay * dt) * dt;
-        vx += ax * dt;
-        vy += ay * dt;
+        centreX += (vx + (0.5 * ax + jerkX * dt / 6) * dt) * dt;
+        centreY += (vy + (0.5 * ay + jerkY * dt / 6) * dt) * dt;
+        vx += (ax + 0.5 * jerkX * dt) * dt;
+        vy += (ay + 0.5 * jerkY * dt) * dt;
+        ax += jerkX * dt;
+        ay += jerkY * dt;
         omega += alpha * dt;
         growth += growthChange * dt;
         referenceUs = timeUs;

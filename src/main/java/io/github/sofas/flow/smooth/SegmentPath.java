@@ -334,6 +334,7 @@ final class SegmentPath {
         double ay = (to.vy - a.vy) / seconds;
         deformation.copyFrom(to.deformation);
         to.copyFrom(a);
+        to.hold();
         to.ax = ax;
         to.ay = ay;
         to.alpha = (b.omega - a.omega) / seconds;

@@ -400,16 +400,6 @@ public class MotionChangeTest {
     }
 
     @Test
-    public void changeIsBelievedAsFarAsItPassesTheNoise() {
-        // 0.2 rad/s shift the ends by a pixel: as much as the noise of 0.1 px half counts, ten times as
-        // much 100 parts of 101
-        assertEquals(0.01, MotionChange.believed(0.02, 0.2, 0.1), 1e-12);
-        assertEquals(-0.01, MotionChange.believed(-0.02, 0.2, 0.1), 1e-12);
-        assertEquals(0.2 * 100 / 101, MotionChange.believed(0.2, 0.2, 0.1), 1e-12);
-        assertEquals(0, MotionChange.believed(0, 0.2, 0.1), 0);
-    }
-
-    @Test
     public void smallChangeOfWhatWasJustFoundIsBelievedLess() {
         // 30 px/s² bend the ends of the window by 0.15 px; of 1,200 events 0.079 px may be noise and from the 40th time
         // 0.055, so that 0.78 and 0.88 of it count, and of less than that, as is measured, parts that differ more
@@ -420,14 +410,6 @@ public class MotionChangeTest {
         repeats = 40;
         double settled = measured(truth, DEFAULTS).ax;
         assertTrue(settling + " and " + settled, settled > 0.88 / 0.78 * settling && settled < 30);
-    }
-
-    @Test
-    public void whatMayBeNoiseFallsWithTheNumberOfEvents() {
-        // sqrt(0.07² + (30 / 300)²), and of a million events what they have in common
-        assertEquals(Math.sqrt(0.0149), MotionChange.noisePx(0.07, 30, 300), 1e-12);
-        assertEquals(0.07, MotionChange.noisePx(0.07, 30, 1_000_000), 1e-6);
-        assertEquals(30, MotionChange.noisePx(0, 30, 0), 0);
     }
 
     @Test

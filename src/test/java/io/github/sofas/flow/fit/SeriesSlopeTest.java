@@ -34,6 +34,23 @@ public class SeriesSlopeTest {
     }
 
     @Test
+    public void noiseIsWhatTheSlopesBetweenNeighboursScatterBy() {
+        measured(1, 0);
+        for (int window = 1; window <= 40; window++) {
+            measured(1 + 0.1 * window, 20 * window);
+        }
+        assertEquals("a line has none, once it is known", 0, slope.noisePerS(), 0.1);
+        // 0.05 more and less, each 20 ms: slopes of 5 a second more and less than 5, and five of them in half a window
+        for (int window = 41; window <= 120; window++) {
+            measured(1 + 0.1 * window + (window % 2 == 0 ? 0.05 : -0.05), 20 * window);
+        }
+        assertEquals(5.0 / 5, slope.noisePerS(), 0.2);
+        assertEquals(5, slope.perS(), 1);
+        slope.restart();
+        assertEquals(0, slope.noisePerS(), 0);
+    }
+
+    @Test
     public void valueThatIsFarFromSettledHasNoSlope() {
         measured(1, 0);
         measured(1.4, 200);

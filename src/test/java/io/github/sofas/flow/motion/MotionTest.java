@@ -37,6 +37,24 @@ public class MotionTest {
     }
 
     @Test
+    public void accelerationChangesByTheJerkAsTheReferenceMoves() {
+        Motion motion = new Motion();
+        motion.set(0, 100, 0);
+        motion.ax = -50;
+        motion.jerkX = 600;
+        motion.moveReference(200_000);
+        // 100 * 0.2 - 25 * 0.04 + 100 * 0.008; 100 - 50 * 0.2 + 300 * 0.04; -50 + 600 * 0.2
+        assertEquals(19.8, motion.centreX, 1e-9);
+        assertEquals(102, motion.vx, 1e-9);
+        assertEquals(70, motion.ax, 1e-9);
+        motion.moveReference(0);
+        assertEquals("and back", 0, motion.centreX, 1e-9);
+        assertEquals(100, motion.vx, 1e-9);
+        motion.hold();
+        assertEquals(0, motion.jerkX, 0);
+    }
+
+    @Test
     public void bendsWhereItGainsMoreThanHalfOfItsSpeedInSoManyPx() {
         Motion motion = new Motion();
         motion.set(0, 60, 80);
