@@ -6,9 +6,10 @@ import io.github.sofas.flow.motion.Motion;
  * The acceleration of a structure, of which each window tells something, believed as far as it passes what noise could
  * be: along the axis that is known best and across it, each by itself.
  *
- * <p>Of a plane, which is large and has many events, both axes are known alike, and the better one is now this, now
- * that: its acceleration is one vector. So many events tell its change, too, the jerk. Without it the acceleration is
- * that of the middle of the window, and a camera moved by hand turns round within two or three of these.
+ * <p>Of a plane, which is large and has many events, both axes are known alike unless it is a straight edge, and the
+ * better one is now this, now that: its acceleration is one vector. So many events tell its change, too, the jerk.
+ * Without it the acceleration is that of the middle of the window, and a camera moved by hand turns round within two or
+ * three of these.
  */
 final class AccelerationFit {
     /** Share of a newly measured acceleration that is taken over: successive windows share most events. */
@@ -33,6 +34,8 @@ final class AccelerationFit {
      * Found by a ball before a DVS128, of which 150 events showed accelerations of 4,000 px/s² to and fro.
      */
     private static final double EVENT_PX = 45;
+    /** Knowledge of the other axis, as a share of the best known, from which on both are known alike. */
+    private static final double ALIKE = 0.2;
     /** Shift at the end of the window that may be noise of the acceleration of a plane, in px. */
     private static final double PLANE_PX = 0.06;
     /** The same of its jerk, beside what its accelerations scatter by: those of real edges swing to and fro. */
@@ -55,6 +58,7 @@ final class AccelerationFit {
     private double axisY;
     /** How clearly the acceleration along shows, in standard deviations of the metric. */
     private double sigmas;
+    private boolean isVector;
     private final SeriesSlope jerkX = new SeriesSlope();
     private final SeriesSlope jerkY = new SeriesSlope();
 
@@ -66,6 +70,7 @@ final class AccelerationFit {
         axisX = 0;
         axisY = 0;
         sigmas = 0;
+        isVector = false;
         jerkX.restart();
         jerkY.restart();
     }
@@ -79,14 +84,15 @@ final class AccelerationFit {
      */
     void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double perSpeed, boolean settles,
                  boolean isPlane) {
-        if (isPlane) {
+        isVector = isPlane && loss.flatness() > ALIKE;
+        if (isVector) {
             turnTo(loss.axisX, loss.axisY);
         }
         axisX = loss.axisX;
         axisY = loss.axisY;
         double wasX = motion.ax;
         double wasY = motion.ay;
-        double gain = isPlane ? PLANE_GAIN : GAIN;
+        double gain = isVector ? PLANE_GAIN : GAIN;
         double perPx = 2 / (half * half); // shifts both ends of the window by one pixel
         double h = perPx * ChangeFit.APART_PX;
         Parabola fitted = fit.changes().acceleration(axisX, axisY, h);
@@ -103,7 +109,7 @@ final class AccelerationFit {
         double inDepthAcross = perSpeed * (motion.vy * axisX - motion.vx * axisY);
         double freeAlong = along - inDepthAlong;
         double freeAcross = across - inDepthAcross;
-        if (isPlane) {
+        if (isVector) {
             double share = Belief.share(Math.hypot(freeAlong, freeAcross), perPx, PLANE_PX);
             freeAlong *= share;
             freeAcross *= share;
@@ -116,7 +122,7 @@ final class AccelerationFit {
         double b = inDepthAcross + freeAcross * shown;
         motion.ax = a * axisX - b * axisY;
         motion.ay = a * axisY + b * axisX;
-        if (isPlane) {
+        if (isVector) {
             measureJerk(motion, wasX, wasY, perPx, half);
         } else {
             motion.jerkX = 0;
@@ -165,6 +171,11 @@ final class AccelerationFit {
         motion.jerkY *= share;
         jerkX.hold(share);
         jerkY.hold(share);
+    }
+
+    /** Whether it is that of a plane, of which both axes are known alike. */
+    boolean isVector() {
+        return isVector;
     }
 
     /** As it was measured, as far as it is known, in px/s². */

@@ -71,8 +71,6 @@ public final class MotionChange {
     private double radius;
     /** Shift at the end of the window that may be noise of as many events as are measured, in px. */
     private double turnNoisePx;
-    /** Whether it is measured as a plane. */
-    private boolean isPlane;
 
     /** Begins with a steady motion. */
     public void restart() {
@@ -84,7 +82,6 @@ public final class MotionChange {
         ofAllGrowth = 0;
         radius = 0;
         measurements = 0;
-        isPlane = false;
         structure.restart();
         plane.restart();
     }
@@ -101,7 +98,7 @@ public final class MotionChange {
     public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
                         boolean isOfOnePolarity, SofasParameters.Track p) {
         isSteadyInDepth = isOfOnePolarity && growsAsOne;
-        isPlane = planeRadius(fit.size(), structureRadius, p) > 0;
+        boolean isPlane = planeRadius(fit.size(), structureRadius, p) > 0;
         radius = structureRadius;
         measurements++;
         boolean settles = measurements < SETTLING;
@@ -117,7 +114,7 @@ public final class MotionChange {
         double turned = motion.omega;
         double grown = motion.growth;
         if (radius > LEAST_RADIUS_PX && (p.rotation() || p.growth())) {
-            measureTurnAndGrowth(fit, motion, loss, half, p);
+            measureTurnAndGrowth(fit, motion, loss, half, isPlane, p);
         }
         if (isPlane) {
             plane.measure(fit, loss.metric, motion, turned, grown, half, radius);
@@ -133,7 +130,7 @@ public final class MotionChange {
     }
 
     private void measureTurnAndGrowth(MetricFit fit, Motion motion, MotionLoss loss, double half,
-                                      SofasParameters.Track p) {
+                                      boolean isPlane, SofasParameters.Track p) {
         if (measurements % STRUCTURE_EVERY == 1) {
             fit.structure(structure, radius);
         }
@@ -242,8 +239,8 @@ public final class MotionChange {
         return acceleration.sigmas();
     }
 
-    /** Whether it was measured as that of a plane last. */
-    public boolean isOfPlane() {
-        return isPlane;
+    /** Whether it was that of a plane last, of which both axes are known alike. */
+    public boolean isKnownAlike() {
+        return acceleration.isVector();
     }
 }

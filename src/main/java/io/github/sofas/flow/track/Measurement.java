@@ -41,7 +41,7 @@ final class Measurement {
      */
     private static final int SAMPLE_PART = 2;
     private static final int MOST_SAMPLED = 4096;
-    /** The same of a plane: twice as many half as often tell more, for events meet by the square of their number. */
+    /** The same of a plane that is no straight edge: twice as many, half as often, tell more. */
     private static final int MOST_SAMPLED_OF_PLANE = 8192;
     /** Fewest events between two measurements. */
     private static final int LEAST_NEWS = 40;
@@ -260,7 +260,7 @@ final class Measurement {
      * that meet seldom are taken whole.
      */
     private int sample(int n) {
-        int usual = Math.min(n / SAMPLE_PART, change.isOfPlane() ? MOST_SAMPLED_OF_PLANE : MOST_SAMPLED);
+        int usual = Math.min(n / SAMPLE_PART, change.isKnownAlike() ? MOST_SAMPLED_OF_PLANE : MOST_SAMPLED);
         int least = Math.max(SAMPLE_EVENTS, usual);
         int most = Math.min(n, MOST_EVENTS);
         return n <= least ? n : (int) Math.max(least, Math.min(most, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));

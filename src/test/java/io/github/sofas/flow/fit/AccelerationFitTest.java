@@ -1,6 +1,8 @@
 package io.github.sofas.flow.fit;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.flow.motion.Motion;
 import java.util.Random;
@@ -15,6 +17,8 @@ public class AccelerationFitTest {
     private final AccelerationFit acceleration = new AccelerationFit();
     private final MotionLoss loss = new MotionLoss();
     private final Motion motion = new Motion();
+    /** Whether all dots lie above each other. */
+    private boolean isEdge;
 
     /** Velocity in px/s at a time in s: 100 at first, and after 0.1 s 145. */
     private static double velocity(double s) {
@@ -43,6 +47,9 @@ public class AccelerationFitTest {
         for (int dot = 0; dot < 500; dot++) {
             double x = 240 * random.nextDouble();
             double y = 180 * random.nextDouble();
+            if (isEdge) {
+                x = 100;
+            }
             for (int k = 0; k < 12; k++) {
                 double s = (k + random.nextDouble() - 6) / 6 * HALF_S;
                 double seen = Math.rint(x + way(middle + s) - way(middle));
@@ -77,6 +84,18 @@ public class AccelerationFitTest {
     @Test
     public void otherStructuresHaveNoJerk() {
         measureUntil(0.15, false);
+        assertEquals(0, motion.jerkX, 0);
+        assertEquals(0, motion.jerkY, 0);
+    }
+
+    @Test
+    public void straightEdgeIsNoVector() {
+        measureUntil(0.15, true);
+        assertTrue(acceleration.isVector());
+        // of which nothing is known along itself
+        isEdge = true;
+        measureUntil(0.15, true);
+        assertFalse(acceleration.isVector());
         assertEquals(0, motion.jerkX, 0);
         assertEquals(0, motion.jerkY, 0);
     }
