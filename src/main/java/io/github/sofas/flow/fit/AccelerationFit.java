@@ -152,12 +152,11 @@ final class AccelerationFit {
 
     /** Takes the motion for one of a steady velocity. */
     void leaveOut(Motion motion) {
-        along = 0;
-        across = 0;
-        shownAcross = 0;
-        sigmas = 0;
+        restart();
         motion.ax = 0;
         motion.ay = 0;
+        motion.jerkX = 0;
+        motion.jerkY = 0;
     }
 
     /** Keeps a share of it where nothing can be measured. */

@@ -109,4 +109,17 @@ public class AccelerationFitTest {
         assertEquals(0.8 * ax, motion.ax, 1e-9);
         assertEquals(0.8 * jerk, motion.jerkX, 1e-9);
     }
+
+    @Test
+    public void whatIsLeftOutHasNeitherAccelerationNorJerk() {
+        measureUntil(0.15, true);
+        acceleration.leaveOut(motion);
+        assertEquals(0, motion.ax, 0);
+        assertEquals(0, motion.jerkX, 0);
+        assertEquals(0, acceleration.measured(), 0);
+        assertFalse(acceleration.isVector());
+        double vx = motion.vx;
+        motion.moveReference(1_000_000);
+        assertEquals("steady from then on", vx, motion.vx, 0);
+    }
 }
