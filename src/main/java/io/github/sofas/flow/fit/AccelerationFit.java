@@ -58,6 +58,7 @@ final class AccelerationFit {
     private double axisY;
     /** How clearly the acceleration along shows, in standard deviations of the metric. */
     private double sigmas;
+    /** Whether it is that of a plane, of which both axes are known alike. */
     private boolean isVector;
     private final SeriesSlope jerkX = new SeriesSlope();
     private final SeriesSlope jerkY = new SeriesSlope();
@@ -109,17 +110,11 @@ final class AccelerationFit {
         double inDepthAcross = perSpeed * (motion.vy * axisX - motion.vx * axisY);
         double freeAlong = along - inDepthAlong;
         double freeAcross = across - inDepthAcross;
-        if (isVector) {
-            double share = Belief.share(Math.hypot(freeAlong, freeAcross), perPx, PLANE_PX);
-            freeAlong *= share;
-            freeAcross *= share;
-        } else {
-            double noisePx = Belief.noisePx(settles ? SETTLING_PX : NOISE_PX, EVENT_PX, fit.size());
-            freeAlong = Belief.in(freeAlong, perPx, noisePx);
-            freeAcross = Belief.in(freeAcross, perPx, noisePx);
-        }
-        double a = inDepthAlong + freeAlong;
-        double b = inDepthAcross + freeAcross * shown;
+        double noisePx = isVector ? PLANE_PX
+            : Belief.noisePx(settles ? SETTLING_PX : NOISE_PX, EVENT_PX, fit.size());
+        double whole = Math.hypot(freeAlong, freeAcross);
+        double a = inDepthAlong + freeAlong * Belief.share(isVector ? whole : freeAlong, perPx, noisePx);
+        double b = inDepthAcross + freeAcross * Belief.share(isVector ? whole : freeAcross, perPx, noisePx) * shown;
         motion.ax = a * axisX - b * axisY;
         motion.ay = a * axisY + b * axisX;
         if (isVector) {

@@ -1,8 +1,9 @@
 package io.github.sofas.flow.fit;
 
 /**
- * How fast a parameter of the motion changes, from one measurement of it to the next. Ours, because what comes near at
- * a steady speed grows faster and faster, but within one window too little for its metric to show.
+ * How fast a parameter of the motion changes, from one measurement of it to the next. Ours, because within one window
+ * the metric shows too little of it: what comes near at a steady speed grows faster and faster, and a camera moved by
+ * hand accelerates now one way, now the other.
  *
  * <p>A mean of the slopes between measurements, over about half a window; none until the parameter has settled, because
  * the first measurements come from nothing and look like a steep rise.

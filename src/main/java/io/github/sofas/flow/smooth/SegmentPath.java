@@ -124,14 +124,14 @@ final class SegmentPath {
     }
 
     /**
-     * Whether it may have been one body with another as long as both are known: the body of which the motion of either
-     * is known takes the other along. A piece may not show that it turns, or show it late.
+     * Whether it may have been one body with another as long as both are known: one of the two went where the motion of
+     * the other takes what lies there. Either will do, because a piece may not show that it turns.
      */
     boolean movedAsOneWith(SegmentPath other) {
         return tookAlong(other) || other.tookAlong(this);
     }
 
-    /** Whether another went about where this, were it of the same body, took it. */
+    /** Whether another went about where the motion of this takes what lies there; turning may be known late. */
     private boolean tookAlong(SegmentPath other) {
         long fromUs = Math.max(first().referenceUs, other.first().referenceUs);
         double seconds = (Math.min(last().referenceUs, other.last().referenceUs) - fromUs) * 1e-6 / PARTS;
