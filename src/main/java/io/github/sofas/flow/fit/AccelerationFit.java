@@ -172,6 +172,16 @@ final class AccelerationFit {
         return isVector;
     }
 
+    /** As it was measured, before what may be noise is left out, to the right in px/s². */
+    double measuredX() {
+        return along * axisX - across * axisY;
+    }
+
+    /** The same, downwards. */
+    double measuredY() {
+        return along * axisY + across * axisX;
+    }
+
     /** As it was measured, as far as it is known, in px/s². */
     double measured() {
         return Math.hypot(along, shownAcross);

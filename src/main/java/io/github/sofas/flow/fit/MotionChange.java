@@ -7,8 +7,8 @@ import io.github.sofas.flow.motion.Motion;
  * How the motion of a structure differs from one velocity for all of it: acceleration ({@link AccelerationFit}),
  * rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far as it passes
  * what noise could be ({@link Belief}); of a large structure rotation and growth with its deformation ({@link
- * PlaneChange}). Ours, because a velocity that is that of the middle of the window lags: by 25 of a pendulum's 380
- * px/s.
+ * PlaneChange}), and its motion is tracked from window to window ({@link MotionTracker}). Ours, because a velocity that
+ * is that of the middle of the window lags: by 25 of a pendulum's 380 px/s.
  */
 public final class MotionChange {
     /** Shift of the end of the window by a new change of the rotation that is half taken over at once, in px. */
@@ -45,6 +45,8 @@ public final class MotionChange {
     private static final double EVENT_TURN_PX = 60;
     /** What is left of a change with each measurement that cannot be made. */
     private static final double HELD = 0.8;
+    /** Knowledge of the other axis, as a share of the best known, from which a plane begins to be tracked. */
+    private static final double TRACKED = 0.35;
     /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
     private static final double LEAST_RADIUS_PX = 1;
 
@@ -54,6 +56,7 @@ public final class MotionChange {
     private final SeriesSlope growthSlope = new SeriesSlope();
     private final StructureTensor structure = new StructureTensor();
     private final PlaneChange plane = new PlaneChange();
+    private final MotionTracker tracker = new MotionTracker();
     private final PathPull pull = new PathPull();
     private final GrowthFit growthFit = new GrowthFit();
     private int measurements;
@@ -76,6 +79,7 @@ public final class MotionChange {
     public void restart() {
         alpha = 0;
         acceleration.restart();
+        tracker.stop();
         growthSlope.restart();
         evidence = 0;
         ofAllOmega = 0;
@@ -84,6 +88,11 @@ public final class MotionChange {
         measurements = 0;
         structure.restart();
         plane.restart();
+    }
+
+    /** Begins to measure a motion, at the reference that it has now: takes it back to what was measured of it. */
+    public void begin(Motion motion) {
+        tracker.takeBack(motion);
     }
 
     /**
@@ -120,6 +129,14 @@ public final class MotionChange {
             plane.measure(fit, loss.metric, motion, turned, grown, half, radius);
         } else {
             motion.deformation.clear();
+        }
+        boolean isClear = tracker.isTracking() || loss.flatness() > TRACKED;
+        if (acceleration.isVector() && !settles && isClear) {
+            tracker.track(motion, acceleration.measuredX(), acceleration.measuredY(), motion.alpha == 0 ? 0 : alpha,
+                half, radius);
+        } else {
+            tracker.stop();
+            motion.alphaChange = 0;
         }
     }
 
@@ -191,10 +208,12 @@ public final class MotionChange {
 
     /** Holds the motion steady where it cannot be measured, because another structure crosses or no events come. */
     public void hold(Motion motion) {
+        tracker.stop();
         acceleration.hold(motion, HELD);
         alpha *= HELD;
         motion.omega *= HELD;
         motion.alpha *= HELD;
+        motion.alphaChange *= HELD;
         motion.growth *= HELD;
         motion.growthChange *= HELD;
         growthSlope.hold(HELD);
@@ -227,6 +246,7 @@ public final class MotionChange {
     /** Goes on with a motion that is known from elsewhere, which is no measurement of how it changes. */
     public void take() {
         growthSlope.skip();
+        tracker.replace();
     }
 
     /** Shift at the end of the window by the acceleration and by the change of the rotation, in px. */

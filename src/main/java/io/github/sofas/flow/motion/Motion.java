@@ -28,6 +28,8 @@ public final class Motion {
     public double omega;
     /** Change of the rotation in rad/s². */
     public double alpha;
+    /** What that changes by as the reference moves, in rad/s³, as the jerk. */
+    public double alphaChange;
     /** Growth in 1/s, half the divergence of the flow; of what comes nearer 1/growth is the time to contact. */
     public double growth;
     /** Change of the growth in 1/s². */
@@ -56,6 +58,7 @@ public final class Motion {
         jerkX = 0;
         jerkY = 0;
         alpha = 0;
+        alphaChange = 0;
         growthChange = 0;
     }
 
@@ -70,6 +73,7 @@ public final class Motion {
         jerkY = other.jerkY;
         omega = other.omega;
         alpha = other.alpha;
+        alphaChange = other.alphaChange;
         growth = other.growth;
         growthChange = other.growthChange;
         deformation.copyFrom(other.deformation);
@@ -86,7 +90,8 @@ public final class Motion {
         vy += (ay + 0.5 * jerkY * dt) * dt;
         ax += jerkX * dt;
         ay += jerkY * dt;
-        omega += alpha * dt;
+        omega += (alpha + 0.5 * alphaChange * dt) * dt;
+        alpha += alphaChange * dt;
         growth += growthChange * dt;
         referenceUs = timeUs;
     }

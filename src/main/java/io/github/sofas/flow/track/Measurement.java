@@ -204,6 +204,7 @@ final class Measurement {
         long windowUs = nowUs - live.oldestUs();
         double half = windowUs * 0.5e-6;
         motion.moveReference(live.oldestUs() + windowUs / 2);
+        change.begin(motion);
         int shared = load(motion, live, radius, fit);
         if (fit.size() >= LEAST_EVENTS) {
             if (isCutOff) {

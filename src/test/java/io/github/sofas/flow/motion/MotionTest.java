@@ -55,6 +55,23 @@ public class MotionTest {
     }
 
     @Test
+    public void rotationChangesAsTheReferenceMoves() {
+        Motion motion = new Motion();
+        motion.set(0, 0, 0);
+        motion.omega = 1;
+        motion.alpha = -2;
+        motion.alphaChange = 30;
+        motion.moveReference(200_000);
+        // 1 - 2 * 0.2 + 15 * 0.04; -2 + 30 * 0.2
+        assertEquals(1.2, motion.omega, 1e-9);
+        assertEquals(4, motion.alpha, 1e-9);
+        motion.moveReference(0);
+        assertEquals("and back", 1, motion.omega, 1e-9);
+        motion.hold();
+        assertEquals(0, motion.alphaChange, 0);
+    }
+
+    @Test
     public void bendsWhereItGainsMoreThanHalfOfItsSpeedInSoManyPx() {
         Motion motion = new Motion();
         motion.set(0, 60, 80);

@@ -1,0 +1,78 @@
+package io.github.sofas.flow.fit;
+
+import io.github.sofas.flow.motion.Motion;
+
+/** A motion that follows what is measured by one idea of how fast its changes change ({@link KalmanFilter}). */
+final class TrackedMotion {
+    private final Motion motion = new Motion();
+    private final boolean isSteady;
+    private final KalmanFilter x;
+    private final KalmanFilter y;
+    private final KalmanFilter turn;
+    private double logLikelihood;
+
+    /** @param unrestPx as of {@link KalmanFilter#KalmanFilter} */
+    TrackedMotion(double unrestPx) {
+        isSteady = unrestPx == 0;
+        x = new KalmanFilter(unrestPx);
+        y = new KalmanFilter(unrestPx);
+        turn = new KalmanFilter(unrestPx);
+    }
+
+    /** Begins with a measured motion. */
+    void start(Motion measured, double half) {
+        motion.copyFrom(measured);
+        if (isSteady) {
+            motion.hold();
+        }
+        x.start(half);
+        y.start(half);
+        turn.start(half);
+        logLikelihood = 0;
+    }
+
+    /** Moves the reference and the centre to those of another motion. */
+    void follow(Motion other) {
+        motion.moveReference(other.referenceUs);
+        motion.moveCentre(other.centreX, other.centreY);
+    }
+
+    /**
+     * Takes a measurement.
+     *
+     * @param measured about the same reference and centre
+     * @param dt time since the reference of the one before, in s
+     * @param half half the window in s
+     * @param radius of the structure in px
+     * @param kept share of what the likelihood was of measurements before
+     */
+    void correct(Motion measured, double dt, double half, double radius, double kept) {
+        double travel = 2 * half;
+        x.correct(dt, half, measured.vx - motion.vx, measured.ax - motion.ax, motion.jerkX, travel * motion.vx);
+        y.correct(dt, half, measured.vy - motion.vy, measured.ay - motion.ay, motion.jerkY, travel * motion.vy);
+        turn.correct(dt, half, radius * (measured.omega - motion.omega), radius * (measured.alpha - motion.alpha),
+            radius * motion.alphaChange, Double.POSITIVE_INFINITY);
+        motion.vx += x.velocity();
+        motion.ax += x.acceleration();
+        motion.jerkX += x.jerk();
+        motion.vy += y.velocity();
+        motion.ay += y.acceleration();
+        motion.jerkY += y.jerk();
+        motion.omega += turn.velocity() / radius;
+        motion.alpha += turn.acceleration() / radius;
+        motion.alphaChange += turn.jerk() / radius;
+        motion.growth = measured.growth;
+        motion.growthChange = measured.growthChange;
+        motion.deformation.copyFrom(measured.deformation);
+        logLikelihood = kept * logLikelihood + x.logLikelihood() + y.logLikelihood() + turn.logLikelihood();
+    }
+
+    Motion motion() {
+        return motion;
+    }
+
+    /** Logarithm of how likely the measurements of late were, but for a constant that all have in common. */
+    double logLikelihood() {
+        return logLikelihood;
+    }
+}
