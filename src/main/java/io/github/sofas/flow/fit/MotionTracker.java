@@ -14,6 +14,7 @@ import io.github.sofas.flow.motion.Motion;
  * off by, so that it would swing about one that is corrected late.
  */
 final class MotionTracker {
+    /** Unrest of each filter ({@link KalmanFilter}), from a tripod to a hand. */
     private static final double[] UNREST_PX = {0, 0.01, 0.05, 0.2};
     /** Half windows in which what is known of how likely the filters are fades to a third. */
     private static final double MEMORY_HALVES = 3;
