@@ -127,8 +127,8 @@ final class AccelerationFit {
 
     /** Tells what was measured along and across other axes from now on. */
     private void turnTo(double nextX, double nextY) {
-        double x = along * axisX - across * axisY;
-        double y = along * axisY + across * axisX;
+        double x = measuredX();
+        double y = measuredY();
         along = x * nextX + y * nextY;
         across = y * nextX - x * nextY;
     }

@@ -132,8 +132,7 @@ public final class MotionChange {
         }
         boolean isClear = tracker.isTracking() || loss.flatness() > TRACKED;
         if (acceleration.isVector() && !settles && isClear) {
-            tracker.track(motion, acceleration.measuredX(), acceleration.measuredY(), motion.alpha == 0 ? 0 : alpha,
-                half, radius);
+            tracker.track(motion, acceleration.measuredX(), acceleration.measuredY(), alpha, half, radius);
         } else {
             tracker.stop();
             motion.alphaChange = 0;

@@ -68,10 +68,9 @@ final class MotionTracker {
         isTracking &= !isTakenBack;
         if (isTracking) {
             isTakenBack = true;
-            measured.moveReference(motion.referenceUs);
-            measured.moveCentre(motion.centreX, motion.centreY);
+            measured.follow(motion);
             for (TrackedMotion t : tracked) {
-                t.follow(motion);
+                t.motion().follow(motion);
             }
             if (!isReplaced) {
                 motion.copyFrom(measured);

@@ -31,12 +31,6 @@ final class TrackedMotion {
         logLikelihood = 0;
     }
 
-    /** Moves the reference and the centre to those of another motion. */
-    void follow(Motion other) {
-        motion.moveReference(other.referenceUs);
-        motion.moveCentre(other.centreX, other.centreY);
-    }
-
     /**
      * Takes a measurement.
      *

@@ -114,6 +114,12 @@ public final class Motion {
         centreY = newY;
     }
 
+    /** Moves the reference, and then the centre, to those of another motion. */
+    public void follow(Motion other) {
+        moveReference(other.referenceUs);
+        moveCentre(other.centreX, other.centreY);
+    }
+
     /** Velocity to the right of a point of the sensor at a time, in px/s. */
     public float vxAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;

@@ -72,6 +72,24 @@ public class MotionTest {
     }
 
     @Test
+    public void followsTheReferenceAndThenTheCentreOfAnother() {
+        Motion motion = turningAndGrowing();
+        motion.ax = 20;
+        Motion other = new Motion();
+        other.referenceUs = 1_100_000;
+        other.centreX = 60;
+        other.centreY = 30;
+        motion.follow(other);
+        assertEquals(1_100_000, motion.referenceUs);
+        assertEquals(60, motion.centreX, 0);
+        assertEquals(30, motion.centreY, 0);
+        // moves to (53.1, 39) and 32 px/s; 6.9 px to the right and 9 above, 2 * 9 of turning and 0.5 * 6.9 of growing
+        assertEquals(32 + 18 + 3.45, motion.vx, 1e-9);
+        // -10 + 2 * 6.9 - 0.5 * 9
+        assertEquals(-0.7, motion.vy, 1e-9);
+    }
+
+    @Test
     public void bendsWhereItGainsMoreThanHalfOfItsSpeedInSoManyPx() {
         Motion motion = new Motion();
         motion.set(0, 60, 80);
