@@ -45,8 +45,8 @@ public final class MotionChange {
     private static final double EVENT_TURN_PX = 60;
     /** What is left of a change with each measurement that cannot be made. */
     private static final double HELD = 0.8;
-    /** Knowledge of the other axis, as a share of the best known, from which a plane begins to be tracked. */
-    private static final double TRACKED = 0.35;
+    /** Knowledge of the other axis, as a share of the best known, from which a plane is clear, and is tracked. */
+    private static final double CLEAR = 0.35;
     /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
     private static final double LEAST_RADIUS_PX = 1;
 
@@ -60,6 +60,7 @@ public final class MotionChange {
     private final PathPull pull = new PathPull();
     private final GrowthFit growthFit = new GrowthFit();
     private int measurements;
+    private boolean isClear;
     /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
     private double evidence;
     /** Whether the structure is known to turn as one body, and to grow as one, whatever shows within parts of it. */
@@ -80,6 +81,7 @@ public final class MotionChange {
         alpha = 0;
         acceleration.restart();
         tracker.stop();
+        isClear = false;
         growthSlope.restart();
         evidence = 0;
         ofAllOmega = 0;
@@ -130,8 +132,8 @@ public final class MotionChange {
         } else {
             motion.deformation.clear();
         }
-        boolean isClear = tracker.isTracking() || loss.flatness() > TRACKED;
-        if (acceleration.isVector() && !settles && isClear) {
+        isClear = acceleration.isVector() && (tracker.isTracking() || loss.flatness() > CLEAR);
+        if (isClear && !settles) {
             tracker.track(motion, acceleration.measuredX(), acceleration.measuredY(), alpha, half, radius);
         } else {
             tracker.stop();
@@ -261,5 +263,10 @@ public final class MotionChange {
     /** Whether it was that of a plane last, of which both axes are known alike. */
     public boolean isKnownAlike() {
         return acceleration.isVector();
+    }
+
+    /** Whether that plane is clear along both axes, by far from an edge. */
+    public boolean isClear() {
+        return isClear;
     }
 }

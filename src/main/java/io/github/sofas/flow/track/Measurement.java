@@ -25,6 +25,12 @@ final class Measurement {
      * back is followed better by projections: a head in 20 of 21 runs, in 15 to 18 with slopes from the start.
      */
     private static final double STEADY_LIFETIMES = 1.5;
+    /**
+     * Time in s that the window of a clear plane need not pass once it travels so many lifetimes in it: a hand swings
+     * within that time. Of what is less clear only longer windows show that edges do not lock to rows and columns.
+     */
+    private static final double CLEAR_WINDOW_S = 0.2;
+    private static final double CLEAR_LIFETIMES = 1.6;
     /** Correction over half the window after which the top may lie beyond what slopes tell. */
     private static final double RESTLESS_PX = 0.5;
     /**
@@ -357,7 +363,8 @@ final class Measurement {
             change.hold(motion);
         } else if (count >= 2 && moved < 1) {
             change.measure(fit, motion, loss, half, radius, live.commonPolarity() != 0, p);
-            adapt(moves ? moved : 0, change.bendSigmas() > CLEAR_SIGMAS ? change.bendPx(half) : 0);
+            adapt(moves ? moved : 0, change.bendSigmas() > CLEAR_SIGMAS ? change.bendPx(half) : 0,
+                mostPx(motion, half, radius));
         }
         if (moves && moved > 3 * STEADY_PX) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
@@ -370,13 +377,29 @@ final class Measurement {
      *
      * @param moved what the velocity was corrected by, in px, and bend what the acceleration shifts the ends of the
      *     window by, as far as either is more than noise: of few events that takes a long lifetime to tell
+     * @param mostPx travel that it may grow to
      */
-    private void adapt(double moved, double bend) {
+    private void adapt(double moved, double bend, double mostPx) {
         if (bend > MAX_BEND_PX) {
             lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
         } else if (moved < STEADY_PX && bend < 0.7 * MAX_BEND_PX) {
-            lifetimePx = Math.min(p.maxLifetimePx(), lifetimePx * 1.08);
+            lifetimePx = Math.min(mostPx, lifetimePx * 1.08);
         }
+    }
+
+    /**
+     * Most travel that the motion may be measured over, in px: less for a clear plane that is slow. Growth does not
+     * count for that travel: it shows least, and takes long windows.
+     */
+    private double mostPx(Motion motion, double half, double radius) {
+        if (!change.isClear()) {
+            return p.maxLifetimePx();
+        }
+        double speed = motion.speed(radius);
+        double growing = motion.growth * radius;
+        double withoutGrowth = Math.sqrt(Math.max(speed * speed - growing * growing, Double.MIN_NORMAL));
+        double leastPx = CLEAR_LIFETIMES * p.lifetimePx() * speed / withoutGrowth;
+        return Math.min(p.maxLifetimePx(), Math.max(leastPx, lifetimePx * CLEAR_WINDOW_S / (2 * half)));
     }
 
     /**
