@@ -265,7 +265,7 @@ public final class MotionChange {
         return acceleration.isVector();
     }
 
-    /** Whether that plane is clear along both axes, by far from an edge. */
+    /** Whether both axes of that plane are known clearly, far from those of an edge. */
     public boolean isClear() {
         return isClear;
     }

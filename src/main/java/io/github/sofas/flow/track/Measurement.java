@@ -26,8 +26,8 @@ final class Measurement {
      */
     private static final double STEADY_LIFETIMES = 1.5;
     /**
-     * Time in s that the window of a clear plane need not pass once it travels so many lifetimes in it: a hand swings
-     * within that time. Of what is less clear only longer windows show that edges do not lock to rows and columns.
+     * Longest window of a clear plane in s, and travel in lifetimes that it holds at least. A hand swings within that
+     * time. What is less clear keeps long windows, because its edges lock to rows and columns of pixels.
      */
     private static final double CLEAR_WINDOW_S = 0.2;
     private static final double CLEAR_LIFETIMES = 1.6;
