@@ -25,12 +25,6 @@ final class Measurement {
      * back is followed better by projections: a head in 20 of 21 runs, in 15 to 18 with slopes from the start.
      */
     private static final double STEADY_LIFETIMES = 1.5;
-    /**
-     * Longest window of a clear plane in s, and travel in lifetimes that it holds at least. A hand swings within that
-     * time. What is less clear keeps long windows, because its edges lock to rows and columns of pixels.
-     */
-    private static final double CLEAR_WINDOW_S = 0.2;
-    private static final double CLEAR_LIFETIMES = 1.6;
     /** Correction over half the window after which the top may lie beyond what slopes tell. */
     private static final double RESTLESS_PX = 0.5;
     /**
@@ -74,12 +68,8 @@ final class Measurement {
     private static final int SAMPLE_EVENTS = 2000;
     /** Metric per event below which a sample is enlarged: thinning events thins their meetings by the square. */
     private static final double SAMPLE_DENSITY = 1.5;
-    /** Correction over half the window below which a velocity is steady. */
-    private static final double STEADY_PX = 0.1;
     /** Standard deviations of the metric from which a correction or an acceleration is not noise, which has half. */
     private static final double CLEAR_SIGMAS = 0.9;
-    /** Shift at the end of the window by an acceleration above which the lifetime shrinks: it soon ends. */
-    private static final double MAX_BEND_PX = 0.25;
     /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
     private static final double MAX_SHARED = 0.15;
     /** Share of the metric per px that a weakly known direction must lose to follow at half the step. */
@@ -100,6 +90,7 @@ final class Measurement {
     private final Turn turn = new Turn();
     private final MotionLoss loss = new MotionLoss();
     private final Prediction prediction = new Prediction();
+    private final MeasuredTravel travel;
     private SofasParameters.Track p;
     private int count;
     /** Metric per event of all live events. */
@@ -110,13 +101,13 @@ final class Measurement {
     private boolean restless;
     /** Whether the border cuts off a part of the events that were loaded last. */
     private boolean isCutOff;
-    private double lifetimePx;
     /** Travel for which the live events have not been sharp, in px. */
     private double blurredPx;
     private long measuredUs;
 
     Measurement(SofasParameters.Track p) {
         this.p = p;
+        travel = new MeasuredTravel(p);
     }
 
     /** Begins with a structure of which only a first velocity is known. */
@@ -130,18 +121,18 @@ final class Measurement {
         measuredUs = 0;
         widen = 1;
         restless = false;
-        lifetimePx = p.lifetimePx();
+        travel.restart();
     }
 
     /** Measures on with other parameters. */
     void setParameters(SofasParameters.Track next) {
         p = next;
-        lifetimePx = Math.max(p.lifetimePx(), Math.min(p.maxLifetimePx(), lifetimePx));
+        travel.setParameters(next);
     }
 
     /** Travel that the motion is measured over, in px. */
     double lifetimePx() {
-        return lifetimePx;
+        return travel.px();
     }
 
     /** Whether the live events are sharp under the motion, as those of a structure are. */
@@ -257,7 +248,7 @@ final class Measurement {
     /** Notes how far the structure has travelled without being sharp. */
     private void followSharpness(double half, long lifetimeUs, long nowUs) {
         boolean sharp = loss.best() >= LEAST_SHARPNESS * loss.metric * half * half;
-        double travelledPx = measuredUs == 0 ? 0 : lifetimePx * (nowUs - measuredUs) / Math.max(1, lifetimeUs);
+        double travelledPx = measuredUs == 0 ? 0 : travel.px() * (nowUs - measuredUs) / Math.max(1, lifetimeUs);
         blurredPx = sharp ? 0 : blurredPx + Math.max(travelledPx, Double.MIN_VALUE);
         measuredUs = nowUs;
     }
@@ -350,7 +341,7 @@ final class Measurement {
             fit.frame(loss.metric, loss.xx, loss.xy, loss.yy, MetricFit.neighbourLoss(loss.metric), px);
             fit.widen(widen);
         }
-        boolean isSteady = lifetimePx > STEADY_LIFETIMES * p.lifetimePx() && !restless;
+        boolean isSteady = travel.px() > STEADY_LIFETIMES * p.lifetimePx() && !restless;
         VelocityTop top = fitVelocity(isSteady, px, radius, fit);
         // in a thinned sample events meet by so much less
         density = top.metric() / fit.size() * live.size() / fit.size();
@@ -363,43 +354,13 @@ final class Measurement {
             change.hold(motion);
         } else if (count >= 2 && moved < 1) {
             change.measure(fit, motion, loss, half, radius, live.commonPolarity() != 0, p);
-            adapt(moves ? moved : 0, change.bendSigmas() > CLEAR_SIGMAS ? change.bendPx(half) : 0,
-                mostPx(motion, half, radius));
+            travel.adapt(moves ? moved : 0, change.bendSigmas() > CLEAR_SIGMAS ? change.bendPx(half) : 0,
+                change.isClear() ? travel.mostPxOfClear(motion, half, radius) : travel.mostPx());
         }
-        if (moves && moved > 3 * STEADY_PX) {
-            lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.8);
+        if (moves) {
+            travel.shrinkIfCorrected(moved);
         }
         count++;
-    }
-
-    /**
-     * Lets the lifetime grow while the motion is steady, and shrink where it changes.
-     *
-     * @param moved what the velocity was corrected by, in px, and bend what the acceleration shifts the ends of the
-     *     window by, as far as either is more than noise: of few events that takes a long lifetime to tell
-     * @param mostPx travel that it may grow to
-     */
-    private void adapt(double moved, double bend, double mostPx) {
-        if (bend > MAX_BEND_PX) {
-            lifetimePx = Math.max(p.lifetimePx(), lifetimePx * 0.75);
-        } else if (moved < STEADY_PX && bend < 0.7 * MAX_BEND_PX) {
-            lifetimePx = Math.min(mostPx, lifetimePx * 1.08);
-        }
-    }
-
-    /**
-     * Most travel that the motion may be measured over, in px: less for a clear plane that is slow. Growth does not
-     * count for that travel: it shows least, and takes long windows.
-     */
-    private double mostPx(Motion motion, double half, double radius) {
-        if (!change.isClear()) {
-            return p.maxLifetimePx();
-        }
-        double speed = motion.speed(radius);
-        double growing = motion.growth * radius;
-        double withoutGrowth = Math.sqrt(Math.max(speed * speed - growing * growing, Double.MIN_NORMAL));
-        double leastPx = CLEAR_LIFETIMES * p.lifetimePx() * speed / withoutGrowth;
-        return Math.min(p.maxLifetimePx(), Math.max(leastPx, lifetimePx * CLEAR_WINDOW_S / (2 * half)));
     }
 
     /**

@@ -98,11 +98,7 @@ public class MeasurementTest {
 
     private void measure() {
         live.expire(nowUs - lifetimeUs());
-        measure(RADIUS_PX, lifetimeUs());
-    }
-
-    private void measure(double radius, long lifetimeUs) {
-        measurement.measure(motion, live, radius, fit, lifetimeUs, nowUs);
+        measurement.measure(motion, live, RADIUS_PX, fit, lifetimeUs(), nowUs);
         motion.moveReference(nowUs);
     }
 
@@ -209,56 +205,6 @@ public class MeasurementTest {
             before = measurement.lifetimePx();
         }
         assertEquals(P.maxLifetimePx(), measurement.lifetimePx(), 0);
-    }
-
-    /**
-     * Travel in px that a plane of dots at chance places is measured over after a second. It moves along a diagonal and
-     * grows from its middle; each dot fires where it comes to another pixel.
-     */
-    private double lifetimePxOfPlane(double pxPerS, double growth) {
-        double radius = 65; // of 200 x 100 px, root of the mean square
-        start(pxPerS * Math.sqrt(0.5));
-        motion.vy = motion.vx;
-        motion.growth = growth;
-        motion.centreX = 128;
-        motion.centreY = 64;
-        live.clear();
-        double[] x = random.doubles(600, 28, 228).toArray();
-        double[] y = random.doubles(600, 14, 114).toArray();
-        for (long untilUs = nowUs + 1_000_000; nowUs < untilUs; nowUs += 1_000) {
-            for (int i = 0; i < x.length; i++) {
-                int column = (int) x[i];
-                int row = (int) y[i];
-                x[i] += (pxPerS * Math.sqrt(0.5) + growth * (x[i] - 128)) * 1e-3;
-                y[i] += (pxPerS * Math.sqrt(0.5) + growth * (y[i] - 64)) * 1e-3;
-                boolean hasLeft = x[i] >= 228 || y[i] >= 114 || x[i] < 28 || y[i] < 14;
-                if (hasLeft) {
-                    x[i] = random.nextDouble(28, 228);
-                    y[i] = random.nextDouble(14, 114);
-                } else if ((int) x[i] != column || (int) y[i] != row) {
-                    live.add((int) x[i], (int) y[i], nowUs, i % 2 == 0 ? 1 : -1, Claim.OWN, 0);
-                }
-            }
-            if (untilUs - nowUs <= 900_000 && nowUs % 20_000 == 0) {
-                long lifetimeUs = (long) (measurement.lifetimePx() / motion.speed(radius) * 1e6);
-                live.expire(nowUs - lifetimeUs);
-                measure(radius, lifetimeUs);
-            }
-        }
-        return measurement.lifetimePx();
-    }
-
-    @Test
-    public void slowPlaneIsMeasuredOverAFifthOfASecondButNoLessThanOfEightPixels() {
-        assertEquals(0.2 * 60, lifetimePxOfPlane(60, 0), 0.5);
-        assertEquals(1.6 * P.lifetimePx(), lifetimePxOfPlane(30, 0), 0.5);
-        assertEquals(P.maxLifetimePx(), lifetimePxOfPlane(120, 0), 0);
-    }
-
-    @Test
-    public void growthIsNotCountedForTheEightPixels() {
-        // 20 px/s by growth and 15 by the velocity, of which 8 px take as long as 13.3 px of both, about as measured
-        assertEquals(8 * Math.hypot(20, 15) / 15, lifetimePxOfPlane(15, 20 / 65.0), 2);
     }
 
     @Test
