@@ -8,9 +8,13 @@ package io.github.sofas.flow.fit;
  * hold for windows of any length. The state itself lives in the motion.
  */
 final class KalmanFilter {
-    /** Noise of the velocity and of the acceleration that a window shows of which {@link #NEW_PART} is new. */
+    /** Least noise of the velocity and of the acceleration that a window shows of which {@link #NEW_PART} is new. */
     private static final double VELOCITY_PX = 0.03;
     private static final double ACCELERATION_PX = 0.05;
+    /** Noise of the velocity as a part of that of the metric. That of the acceleration is as many times its least. */
+    private static final double OF_METRIC = 0.5;
+    /** Times the least noise that what hardly shows has. */
+    private static final double MOST_NOISY = 20;
     /** Noise of a first velocity, and what a first acceleration may be. */
     private static final double FIRST_VELOCITY_PX = 0.1;
     private static final double FIRST_ACCELERATION_PX = 0.05;
@@ -76,9 +80,10 @@ final class KalmanFilter {
      * @param offAcceleration the same of the acceleration, in px/s²
      * @param predictedJerk in px/s³
      * @param travelPx travel along an axis of the sensor within the window
+     * @param metricPx noise of the metric over what it loses by a shift of a pixel, times that pixel
      */
     void correct(double dt, double half, double offVelocity, double offAcceleration, double predictedJerk,
-                 double travelPx) {
+                 double travelPx, double metricPx) {
         predict(dt);
         change(Math.max(0, dt), half);
         double news = Math.max(LEAST_NEWS, dt / (NEW_PART * half));
@@ -88,12 +93,13 @@ final class KalmanFilter {
         jerk = 0;
         logLikelihood = 0;
         double ofJerk = JERK_IN_VELOCITY * half * half;
-        double noise = (square(VELOCITY_PX) + square(LOCKED_VELOCITY_PX * locked)) / (half * half * news);
+        double noisy = Math.max(1, Math.min(MOST_NOISY, OF_METRIC * metricPx / VELOCITY_PX));
+        double noise = (square(noisy * VELOCITY_PX) + square(LOCKED_VELOCITY_PX * locked)) / (half * half * news);
         double c0 = p00 + ofJerk * p02;
         double c2 = p02 + ofJerk * p22;
         take(offVelocity - ofJerk * predictedJerk, c0, p01 + ofJerk * p12, c2, c0 + ofJerk * c2 + noise);
         double perPx = 2 / (half * half);
-        noise = (square(ACCELERATION_PX) + square(LOCKED_ACCELERATION_PX * locked)) * perPx * perPx / news;
+        noise = (square(noisy * ACCELERATION_PX) + square(LOCKED_ACCELERATION_PX * locked)) * perPx * perPx / news;
         take(offAcceleration - acceleration, p01, p11, p12, p11 + noise);
         logLikelihood *= Math.min(1, news);
     }

@@ -134,7 +134,7 @@ public final class MotionChange {
         }
         isClear = acceleration.isVector() && (tracker.isTracking() || loss.flatness() > CLEAR);
         if (isClear && !settles) {
-            tracker.track(motion, acceleration.measuredX(), acceleration.measuredY(), alpha, half, radius);
+            tracker.track(motion, acceleration.measuredX(), acceleration.measuredY(), alpha, loss, half, radius);
         } else {
             tracker.stop();
             motion.alphaChange = 0;

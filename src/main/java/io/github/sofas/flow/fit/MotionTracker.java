@@ -85,10 +85,11 @@ final class MotionTracker {
      * @param motion as measured; its changes as believed
      * @param ax acceleration as measured, before what may be noise is left out
      * @param alpha the same of the change of the rotation
+     * @param loss what the window knows of the motion
      * @param half half the window in s
      * @param radius of the structure in px
      */
-    void track(Motion motion, double ax, double ay, double alpha, double half, double radius) {
+    void track(Motion motion, double ax, double ay, double alpha, MotionLoss loss, double half, double radius) {
         isTakenBack = false;
         measured.copyFrom(motion);
         double dt = (motion.referenceUs - beforeUs) * 1e-6;
@@ -106,7 +107,7 @@ final class MotionTracker {
         motion.alpha = alpha;
         double kept = StrictMath.exp(-Math.max(0, dt) / (MEMORY_HALVES * half));
         for (TrackedMotion t : tracked) {
-            t.correct(motion, dt, half, radius, kept);
+            t.correct(motion, loss, dt, half, radius, kept);
         }
         takeMean(motion);
         motion.copyFrom(mean);

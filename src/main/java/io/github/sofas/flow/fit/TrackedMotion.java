@@ -35,17 +35,20 @@ final class TrackedMotion {
      * Takes a measurement.
      *
      * @param measured about the same reference and centre
+     * @param loss what the window knows of the motion
      * @param dt time since the reference of the one before, in s
      * @param half half the window in s
      * @param radius of the structure in px
      * @param kept share of what the likelihood was of measurements before
      */
-    void correct(Motion measured, double dt, double half, double radius, double kept) {
+    void correct(Motion measured, MotionLoss loss, double dt, double half, double radius, double kept) {
         double travel = 2 * half;
-        x.correct(dt, half, measured.vx - motion.vx, measured.ax - motion.ax, motion.jerkX, travel * motion.vx);
-        y.correct(dt, half, measured.vy - motion.vy, measured.ay - motion.ay, motion.jerkY, travel * motion.vy);
+        x.correct(dt, half, measured.vx - motion.vx, measured.ax - motion.ax, motion.jerkX, travel * motion.vx,
+            loss.noisePx(loss.xx, half));
+        y.correct(dt, half, measured.vy - motion.vy, measured.ay - motion.ay, motion.jerkY, travel * motion.vy,
+            loss.noisePx(loss.yy, half));
         turn.correct(dt, half, radius * (measured.omega - motion.omega), radius * (measured.alpha - motion.alpha),
-            radius * motion.alphaChange, Double.POSITIVE_INFINITY);
+            radius * motion.alphaChange, Double.POSITIVE_INFINITY, loss.noisePx(loss.turn, half * radius));
         motion.vx += x.velocity();
         motion.ax += x.acceleration();
         motion.jerkX += x.jerk();

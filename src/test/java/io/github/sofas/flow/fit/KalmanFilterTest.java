@@ -12,6 +12,8 @@ public class KalmanFilterTest {
     private static final double DT_S = 0.02;
     /** Px that the picture travels in a window: more than what pixels hold on to. */
     private static final double FAR_PX = 20;
+    /** Noise of the metric of a picture that is so sharp that only pixels make its velocity wrong. */
+    private static final double SHARP = 0.04;
     private static final double TINY = 1e-6;
 
     private static KalmanFilter started(double unrestPx) {
@@ -23,12 +25,12 @@ public class KalmanFilterTest {
     @Test
     public void velocityOfWhatIsSteadyIsTakenByHowWellItIsKnown() {
         KalmanFilter filter = started(0);
-        filter.correct(DT_S, HALF_S, 2, 50, 0, FAR_PX);
+        filter.correct(DT_S, HALF_S, 2, 50, 0, FAR_PX, SHARP);
         // known to 0.1 px, and by the new one to 0.03 px: 0.01 / (0.01 + 0.0009), but for a walk of 0.003 px
         assertEquals(2 * 0.01 / 0.0109, filter.velocity(), 1e-3);
         assertEquals(0, filter.acceleration(), 0);
         assertEquals(0, filter.jerk(), 0);
-        filter.correct(DT_S, HALF_S, 2, 50, 0, FAR_PX);
+        filter.correct(DT_S, HALF_S, 2, 50, 0, FAR_PX, SHARP);
         // both of them together know it to 0.0009 * 0.01 / 0.0109 px²
         double known = 0.0009 * 0.01 / 0.0109;
         assertEquals(2 * known / (known + 0.0009), filter.velocity(), 3e-3);
@@ -37,20 +39,32 @@ public class KalmanFilterTest {
     @Test
     public void fewNewEventsTellLess() {
         KalmanFilter filter = started(0);
-        filter.correct(DT_S / 10, HALF_S, 2, 0, 0, FAR_PX);
+        filter.correct(DT_S / 10, HALF_S, 2, 0, 0, FAR_PX, SHARP);
         assertEquals("ten times the variance", 2 * 0.01 / 0.019, filter.velocity(), 1e-3);
     }
 
     @Test
     public void whatDoesNotTravelAlongAnAxisIsHeldByItsPixels() {
         KalmanFilter filter = started(0);
-        filter.correct(DT_S, HALF_S, 2, 0, 0, 0);
+        filter.correct(DT_S, HALF_S, 2, 0, 0, 0, SHARP);
         // 0.1 px besides the 0.03
         assertEquals(2 * 0.01 / 0.0209, filter.velocity(), 1e-3);
         filter = started(0);
-        filter.correct(DT_S, HALF_S, 2, 0, 0, 1.5);
+        filter.correct(DT_S, HALF_S, 2, 0, 0, 1.5, SHARP);
         double locked = 0.1 * Math.exp(-1);
         assertEquals(2 * 0.01 / (0.0109 + locked * locked), filter.velocity(), 1e-3);
+    }
+
+    @Test
+    public void whatLosesLittleMetricByAShiftTellsLess() {
+        KalmanFilter filter = started(0);
+        filter.correct(DT_S, HALF_S, 2, 0, 0, FAR_PX, 0.1);
+        // 0.05 instead of 0.03 px
+        assertEquals(2 * 0.01 / 0.0125, filter.velocity(), 1e-3);
+        filter = started(0);
+        filter.correct(DT_S, HALF_S, 2, 0, 0, FAR_PX, Double.POSITIVE_INFINITY);
+        // 0.6 px at most
+        assertEquals(2 * 0.01 / 0.37, filter.velocity(), 1e-3);
     }
 
     @Test
@@ -67,8 +81,9 @@ public class KalmanFilterTest {
                 double offAcceleration = 30 * random.nextGaussian();
                 double jerk = 300 * random.nextGaussian();
                 double travel = 3 * random.nextDouble();
-                filter.correct(dt, half, offVelocity, offAcceleration, jerk, travel);
-                double[] by = plain.correct(dt, half, offVelocity, offAcceleration, jerk, travel);
+                double metric = 0.2 * random.nextDouble();
+                filter.correct(dt, half, offVelocity, offAcceleration, jerk, travel, metric);
+                double[] by = plain.correct(dt, half, offVelocity, offAcceleration, jerk, travel, metric);
                 assertEquals(by[0], filter.velocity(), TINY * (1 + Math.abs(by[0])));
                 assertEquals(by[1], filter.acceleration(), TINY * (1 + Math.abs(by[1])));
                 assertEquals(by[2], filter.jerk(), TINY * (1 + Math.abs(by[2])));
@@ -80,10 +95,10 @@ public class KalmanFilterTest {
     @Test
     public void likelyIsWhatIsMeasuredAsItWasPredicted() {
         KalmanFilter filter = started(0.01);
-        filter.correct(DT_S, HALF_S, 0, 0, 0, FAR_PX);
+        filter.correct(DT_S, HALF_S, 0, 0, 0, FAR_PX, SHARP);
         double asPredicted = filter.logLikelihood();
         filter = started(0.01);
-        filter.correct(DT_S, HALF_S, 5, 0, 0, FAR_PX);
+        filter.correct(DT_S, HALF_S, 5, 0, 0, FAR_PX, SHARP);
         assertTrue(filter.logLikelihood() < asPredicted - 1);
     }
 
@@ -102,7 +117,7 @@ public class KalmanFilterTest {
         }
 
         double[] correct(double dt, double half, double offVelocity, double offAcceleration, double jerk,
-                         double travel) {
+                         double travel, double metric) {
             double[][] f = {{1, dt, dt * dt / 2}, {0, 1, dt}, {0, 0, 1}};
             p = times(times(f, p), transposed(f));
             double d = Math.max(0, dt);
@@ -117,12 +132,13 @@ public class KalmanFilterTest {
             p[0][0] += square(0.003) * d / Math.pow(half, 3);
             double news = Math.max(1e-3, dt / (0.2 * half));
             double locked = Math.exp(-square(travel / 1.5));
+            double noisy = Math.max(1, 0.5 * metric / 0.03);
             double inVelocity = 0.1 * half * half;
             double[] by = new double[4];
             take(new double[] {1, 0, inVelocity}, offVelocity - inVelocity * jerk,
-                (square(0.03) + square(0.1 * locked)) / (half * half * news), by);
+                (square(0.03 * noisy) + square(0.1 * locked)) / (half * half * news), by);
             take(new double[] {0, 1, 0}, offAcceleration - by[1],
-                (square(0.05) + square(0.15 * locked)) * square(2 / (half * half)) / news, by);
+                (square(0.05 * noisy) + square(0.15 * locked)) * square(2 / (half * half)) / news, by);
             by[3] *= Math.min(1, news);
             return by;
         }

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.fit;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
@@ -27,5 +28,14 @@ public class MotionLossTest {
         assertEquals(0, loss(1, 1, 1).least(), 1e-12);
         assertEquals(0, loss(1, 1, 1).flatness(), 1e-12);
         assertEquals(0, new MotionLoss().flatness(), 0);
+    }
+
+    @Test
+    public void aParameterIsKnownByWhatAPixelLosesBesideTheNoise() {
+        MotionLoss loss = new MotionLoss();
+        loss.metric = 10_000;
+        // ends of the window 0.1 s from its middle: 1 px by 10 px/s, which loses 2,000, beside a noise of 100
+        assertEquals(0.05, loss.noisePx(20, 0.1), 1e-12);
+        assertTrue("nothing is known", loss.noisePx(0, 0.1) > 1e100);
     }
 }

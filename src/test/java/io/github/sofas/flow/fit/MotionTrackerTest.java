@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import io.github.sofas.flow.motion.Motion;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.Before;
 import org.junit.Test;
 
 /** A structure of 80 px around (120, 90), measured every 10 ms over windows of 0.1 s. */
@@ -18,10 +19,23 @@ public class MotionTrackerTest {
 
     private final MotionTracker tracker = new MotionTracker();
     private final Motion motion = new Motion();
+    private final MotionLoss loss = new MotionLoss();
     private final Random random = new Random(7);
     /** The last measured velocity and acceleration to the right. */
     private double measuredVx;
     private double measuredAx;
+
+    @Before
+    public void isSharp() {
+        loses(100);
+    }
+
+    /** So much metric for each px that the ends of the window shift by; its noise is 1. */
+    private void loses(double perPx) {
+        loss.xx = perPx * HALF_S * HALF_S;
+        loss.yy = loss.xx;
+        loss.turn = loss.xx * RADIUS_PX * RADIUS_PX;
+    }
 
     /** Measures velocity and acceleration to the right of a time, but for so much noise, and tracks them. */
     private void measure(double middleS, double vx, double ax, double noise) {
@@ -30,7 +44,7 @@ public class MotionTrackerTest {
         motion.ax = ax + 50 * noise * random.nextGaussian();
         measuredVx = motion.vx;
         measuredAx = motion.ax;
-        tracker.track(motion, motion.ax, motion.ay, motion.alpha, HALF_S, RADIUS_PX);
+        tracker.track(motion, motion.ax, motion.ay, motion.alpha, loss, HALF_S, RADIUS_PX);
     }
 
     private void begin(double middleS) {
@@ -90,6 +104,16 @@ public class MotionTrackerTest {
     }
 
     @Test
+    public void whatIsSoftIsCorrectedLess() {
+        // measured 0.15 px off at the ends of the window, once as if only 0.03 were noise, and once as it is
+        double off = off(s -> 100, s -> 0, 3);
+        tracker.stop();
+        loses(0.5 / 0.15);
+        double soft = off(s -> 100, s -> 0, 3);
+        assertTrue(soft + " and " + off, soft < 0.7 * off);
+    }
+
+    @Test
     public void swingingAlongAnAxisWithoutTravelIsThatOfThePixels() {
         // to and fro by 1 px/s twice a second, at 3 px/s, 0.3 px in a window, and at 50
         double w = 4 * Math.PI;
@@ -109,7 +133,7 @@ public class MotionTrackerTest {
             begin(middle);
             motion.omega = seen(w) * Math.sin(w * middle);
             motion.alpha = w * Math.cos(w * middle);
-            tracker.track(motion, 0, 0, motion.alpha, HALF_S, RADIUS_PX);
+            tracker.track(motion, 0, 0, motion.alpha, loss, HALF_S, RADIUS_PX);
             double off = after(HALF_S).omega - Math.sin(w * (middle + HALF_S));
             sum += i < 100 ? 0 : off * off / 100;
         }
@@ -126,7 +150,7 @@ public class MotionTrackerTest {
             begin(middle);
             motion.vx = 50 + 20 * middle;
             motion.ax = 20;
-            tracker.track(motion, 20, 0, 0, 0.3, RADIUS_PX);
+            tracker.track(motion, 20, 0, 0, loss, 0.3, RADIUS_PX);
         }
         assertEquals(20 * Math.exp(-1), motion.ax, 1);
     }
@@ -172,7 +196,7 @@ public class MotionTrackerTest {
         motion.vx = 101;
         begin(2.01);
         assertEquals("kept", 101 + 0.01 * motion.ax, motion.vx, TINY);
-        tracker.track(motion, motion.ax, 0, 0, HALF_S, RADIUS_PX);
+        tracker.track(motion, motion.ax, 0, 0, loss, HALF_S, RADIUS_PX);
         assertEquals(101 + 0.01 * motion.ax, motion.vx, TINY);
     }
 
