@@ -34,40 +34,9 @@ final class Measurement {
     private static final int COMING_IN = 40;
     /** Measurements after which a motion is judged: before, it is that of the search. */
     private static final int LEAST_JUDGED = 2;
-    /**
-     * A sample has this part of the live events, but no fewer and no more than {@link #SAMPLE_EVENTS} and
-     * {@link #MOST_SAMPLED}: measurements are the rarer the more there are, so that it costs no more per event, and
-     * what is weakly known, the velocity along edges, needs many.
-     */
-    private static final int SAMPLE_PART = 2;
-    private static final int MOST_SAMPLED = 4096;
-    /** The same of a plane that is no straight edge: twice as many, half as often, tell more. */
-    private static final int MOST_SAMPLED_OF_PLANE = 8192;
-    /** Fewest events between two measurements. */
-    private static final int LEAST_NEWS = 40;
-    /**
-     * Parts of events that are all measured, of a sample, and of all live events, of which one must be new. What swings
-     * or comes near is followed late with fewer measurements; those of a sample in stretches are off by the same each
-     * time, and more of them carry a motion away.
-     */
-    private static final int WHOLE_NEWS_PART = 8;
-    private static final int NEWS_PART = 4;
-    private static final int LIVE_NEWS_PART = 12;
-    /**
-     * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
-     * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
-     * follow each other at once do not, and those of real pixels make it look too fast. Where a stretch is shorter than
-     * a pixel of travel, it begins and ends within what an edge along a row or column fires, which looks like another
-     * velocity and an acceleration: few events are taken whole.
-     */
-    private static final int STRETCHES = 4;
     /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
     private static final double STEP_PX = 1.0 / 32;
 
-    /** Live events that are measured whole: with half as many a lonely hexagon's velocity swings by a tenth. */
-    private static final int SAMPLE_EVENTS = 2000;
-    /** Metric per event below which a sample is enlarged: thinning events thins their meetings by the square. */
-    private static final double SAMPLE_DENSITY = 1.5;
     /** Standard deviations of the metric from which a correction or an acceleration is not noise, which has half. */
     private static final double CLEAR_SIGMAS = 0.9;
     /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
@@ -91,10 +60,9 @@ final class Measurement {
     private final MotionLoss loss = new MotionLoss();
     private final Prediction prediction = new Prediction();
     private final MeasuredTravel travel;
+    private final Sample sample = new Sample();
     private SofasParameters.Track p;
     private int count;
-    /** Metric per event of all live events. */
-    private double density;
     /** Factor that the frame is wider by after a step that left it. */
     private double widen;
     /** Whether the last measurement moved the motion far. */
@@ -116,7 +84,7 @@ final class Measurement {
         loss.clear();
         prediction.restart();
         count = 0;
-        density = 0;
+        sample.restart();
         blurredPx = 0;
         measuredUs = 0;
         widen = 1;
@@ -155,11 +123,9 @@ final class Measurement {
         return loss;
     }
 
-    /** New events until it is measured again: an eighth of few, a twelfth of many, more where a sample is large. */
+    /** New events until it is measured again. */
     int newsNeeded(int liveEvents) {
-        int sample = sample(liveEvents);
-        int ofSample = sample / (sample == liveEvents ? WHOLE_NEWS_PART : NEWS_PART);
-        return Math.max(LEAST_NEWS, Math.max(ofSample, liveEvents / LIVE_NEWS_PART));
+        return sample.newsNeeded(liveEvents, change.isKnownAlike());
     }
 
     /** Holds the motion where it cannot be measured. */
@@ -253,17 +219,6 @@ final class Measurement {
         measuredUs = nowUs;
     }
 
-    /**
-     * How many live events a measurement needs: thinning them thins their meetings by the square, so that many events
-     * that meet seldom are taken whole.
-     */
-    private int sample(int n) {
-        int usual = Math.min(n / SAMPLE_PART, change.isKnownAlike() ? MOST_SAMPLED_OF_PLANE : MOST_SAMPLED);
-        int least = Math.max(SAMPLE_EVENTS, usual);
-        int most = Math.min(n, MOST_EVENTS);
-        return n <= least ? n : (int) Math.max(least, Math.min(most, n * SAMPLE_DENSITY / Math.max(density, 1e-3)));
-    }
-
     /** Metric of the live events along a motion, in the middle of their window. */
     double metric(Motion motion, LiveEvents live, double radius, MetricFit fit, long nowUs) {
         mid.copyFrom(motion);
@@ -294,14 +249,14 @@ final class Measurement {
 
     private int load(Motion motion, LiveEvents live, double radius, MetricFit fit, boolean turned) {
         fit.clear();
-        int want = sample(live.size());
+        int want = sample.size(live.size(), change.isKnownAlike());
         int shared = 0;
         isCutOff = false;
         // of what is measured on a part of its events, the border cuts off little
         boolean mayComeIn = count < COMING_IN && want == live.size() && live.thinning() == 1;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
-            int i = live.index(sampled(k, want, live.size()));
+            int i = live.index(Sample.number(k, want, live.size()));
             Claim claim = live.claim(i);
             if (claim != Claim.OWN) {
                 shared += claim == Claim.SHARED ? 1 : 0;
@@ -319,18 +274,13 @@ final class Measurement {
     /** Loads the same events where they are. */
     private void loadAtRest(Motion motion, LiveEvents live, MetricFit fit) {
         fit.clear();
-        int want = sample(live.size());
+        int want = sample.size(live.size(), change.isKnownAlike());
         for (int k = 0; k < want; k++) {
-            int i = live.index(sampled(k, want, live.size()));
+            int i = live.index(Sample.number(k, want, live.size()));
             if (live.claim(i) == Claim.OWN) {
                 fit.add(live.x[i], live.y[i], (live.timeUs[i] - motion.referenceUs) * 1e-6f, 0, 0, live.sign[i]);
             }
         }
-    }
-
-    /** Number of the k-th event of a sample of so many events, in stretches from the first to the last. */
-    static int sampled(int k, int want, int size) {
-        return size == want ? k : k + (size - want) * (k * STRETCHES / want) / (STRETCHES - 1);
     }
 
     private void improve(Motion motion, LiveEvents live, double half, double radius, MetricFit fit, double crossing) {
@@ -343,8 +293,7 @@ final class Measurement {
         }
         boolean isSteady = travel.px() > STEADY_LIFETIMES * p.lifetimePx() && !restless;
         VelocityTop top = fitVelocity(isSteady, px, radius, fit);
-        // in a thinned sample events meet by so much less
-        density = top.metric() / fit.size() * live.size() / fit.size();
+        sample.meets(top.metric(), fit.size(), live.size());
         loss.take(top);
         widen = top.steps() > 1 ? Math.min(3, widen * 1.5) : Math.max(1, widen * 0.7);
         double moved = step(motion, top, px, crossing) / px;

@@ -280,20 +280,6 @@ public class MeasurementTest {
     }
 
     @Test
-    public void sampleIsFourStretchesFromTheFirstEventToTheLast() {
-        List<Integer> numbers = new ArrayList<>();
-        for (int k = 0; k < 8; k++) {
-            numbers.add(Measurement.sampled(k, 8, 20));
-        }
-        // 12 left out, in three gaps of 4
-        assertEquals(List.of(0, 1, 6, 7, 12, 13, 18, 19), numbers);
-        // where all are wanted each is taken once
-        for (int k = 0; k < 10; k++) {
-            assertEquals(k, Measurement.sampled(k, 10, 10));
-        }
-    }
-
-    @Test
     public void halfOfTheEventsIsMeasuredWhereTheyMeetOften() {
         measureTwice(1_800);
         assertEquals(live.size(), fit.size());
