@@ -9,6 +9,7 @@ import io.github.sofas.simulate.DvsModel;
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulatedSource;
 import io.github.sofas.simulate.SimulationOptions;
+import io.github.sofas.simulate.Surface;
 import io.github.sofas.simulate.Truth;
 import io.github.sofas.simulate.TruthCsv;
 import java.io.IOException;
@@ -54,7 +55,9 @@ final class SimulateCommand implements Callable<Integer> {
     private static final double SHORTEST_S = 0.001;
     /** Options that only some scenes look at. */
     private static final Map<String, Set<Scene>> ONLY_OF = Map.of("--turns", Set.of(Scene.SHORT_BAR, Scene.LONG_BAR),
-        "--turn-round", Set.of(Scene.FOUR_BARS), "--field-of-view", Set.of(Scene.PENDULUM));
+        "--turn-round", Set.of(Scene.FOUR_BARS), "--field-of-view", Set.of(Scene.PENDULUM),
+        "--surface", Set.of(Scene.TEXTURED_PAN, Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND,
+            Scene.TEXTURED_TURN, Scene.TEXTURED_SLANT, Scene.TEXTURED_MOVERS, Scene.SIDE_BY_SIDE, Scene.RANDOM));
 
     @Spec
     private CommandSpec spec;
@@ -104,6 +107,11 @@ final class SimulateCommand implements Callable<Integer> {
         @Option(names = "--texture", paramLabel = "SD",
             description = "Standard deviation of the background's log intensity; 0 for the scene's own.")
         private double texture;
+
+        @Option(names = "--surface", paramLabel = "KIND",
+            description = "What walls and textured objects are made of: leaves (edges), smooth (blurred noise) or "
+                + "fractal (as much of all sizes); default: leaves.")
+        private String surface = SimulationOptions.defaults().surface().surfaceName();
 
         @Option(names = "--blur", paramLabel = "PX", description = "Standard deviation of the optical blur.")
         private double blurPx = SimulationOptions.defaults().blurPx();
@@ -250,6 +258,8 @@ final class SimulateCommand implements Callable<Integer> {
         if (scene.durationS > 0 && scene.durationS < SHORTEST_S) {
             throw usage("--duration must be 0 or at least " + SHORTEST_S + " s but was " + scene.durationS);
         }
+        Surface surface = Surface.named(scene.surface).orElseThrow(() ->
+            usage("--surface must be one of " + Surface.names() + " but was \"" + scene.surface + "\""));
         try {
             DvsModel dvs = DvsModel.davis().withThresholds(sensor.onThreshold, sensor.offThreshold)
                 .withMismatchSd(sensor.mismatchSd).withJitterSdUs(sensor.jitterSdUs)
@@ -257,8 +267,8 @@ final class SimulateCommand implements Callable<Integer> {
                 .withHotPixels(sensor.hotPixels, sensor.hotPixelHz);
             return SimulationOptions.defaults().withSensor(size).withDurationUs(Math.round(scene.durationS * 1e6))
                 .withSpeedPxPerS(scene.speedPxPerS).withDirectionDeg(scene.directionDeg).withScale(scene.scale)
-                .withContrast(scene.contrast).withTexture(scene.texture).withBlurPx(scene.blurPx)
-                .withTurnsPerS(scene.turnsPerS).withTurnsRound(scene.turnsRound)
+                .withContrast(scene.contrast).withTexture(scene.texture).withSurface(surface)
+                .withBlurPx(scene.blurPx).withTurnsPerS(scene.turnsPerS).withTurnsRound(scene.turnsRound)
                 .withFieldOfViewM(scene.fieldOfViewM).withSeed(seed()).withDvs(dvs);
         } catch (IllegalArgumentException e) {
             String component = e.getMessage().substring(0, e.getMessage().indexOf(' '));

@@ -42,7 +42,8 @@ final class RandomChapter {
                 + "the share of the events with flow that are faster than twice the fastest true speed."),
             figures("random scenes", summary),
             p("Cameras that pan, roll and move forward before a textured wall, a shape that comes near, textured "
-                + "movers before a moving wall, and a lamp that flickers over a still scene:"),
+                + "movers before a moving wall, and a lamp that flickers over a still scene. Walls show edges, or else "
+                + "soft noise (smooth) or that of all sizes (fractal):"),
             figures("scene", textured),
             join(each(scenes.worst(), RandomChapter::pictures)));
     }

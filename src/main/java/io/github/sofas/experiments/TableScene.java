@@ -2,6 +2,7 @@ package io.github.sofas.experiments;
 
 import io.github.sofas.simulate.Scene;
 import io.github.sofas.simulate.SimulationOptions;
+import io.github.sofas.simulate.Surface;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -17,7 +18,7 @@ import java.util.stream.Stream;
 record TableScene(String name, Scene scene, SimulationOptions options) {
     private static final SimulationOptions PLAIN = SimulationOptions.defaults();
 
-    /** Scenes with texture, growth and flicker. */
+    /** Scenes with texture, growth and flicker, some of them of softer surfaces, too. */
     static List<TableScene> textured() {
         List<TableScene> textured = new ArrayList<>();
         for (double speed : new double[] {60, 240, 1200}) {
@@ -28,6 +29,11 @@ record TableScene(String name, Scene scene, SimulationOptions options) {
                 Scene.TEXTURED_SLANT, Scene.POSTER, Scene.COMING_NEAR, Scene.GOING_AWAY, Scene.TEXTURED_MOVERS,
                 Scene.FLICKER)
             .forEach(scene -> textured.add(new TableScene(scene.sceneName(), scene, PLAIN)));
+        for (Surface surface : new Surface[] {Surface.SMOOTH, Surface.FRACTAL}) {
+            Stream.of(Scene.TEXTURED_HAND, Scene.TEXTURED_ZOOM, Scene.TEXTURED_MOVERS)
+                .forEach(scene -> textured.add(new TableScene(scene.sceneName() + "-" + surface.surfaceName(), scene,
+                    PLAIN.withSurface(surface))));
+        }
         return textured;
     }
 

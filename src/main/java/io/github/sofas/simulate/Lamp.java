@@ -25,7 +25,7 @@ final class Lamp {
      * @param swing greatest change of the log intensity from its mean
      */
     Lamp(SensorSize sensor, double midX, double midY, double radiusPx, double swing, Random random) {
-        Texture surfaces = new Texture(256, 0.3, 6, 0.7, random);
+        Texture surfaces = new Texture(Surface.LEAVES, 256, 0.3, 6, 0.7, random);
         int[] lit = new int[sensor.width() * sensor.height()];
         double[] swingOf = new double[lit.length];
         int count = 0;

@@ -20,6 +20,7 @@ import java.util.Objects;
  *     threshold of 0.2 fires three times for 0.7
  * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a
  *     plain one, and for the own one of a scene with textures
+ * @param surface what walls and textured objects are made of
  * @param blurPx standard deviation of the optical blur in px, above 0
  * @param turnsRound whether a camera pan slows down, turns round and comes back
  * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
@@ -27,8 +28,8 @@ import java.util.Objects;
  * @param dvs the pixels
  */
 public record SimulationOptions(SensorSize sensor, long durationUs, double speedPxPerS, double directionDeg,
-                                double turnsPerS, double scale, double contrast, double texture, double blurPx,
-                                boolean turnsRound, double fieldOfViewM, long seed, DvsModel dvs) {
+                                double turnsPerS, double scale, double contrast, double texture, Surface surface,
+                                double blurPx, boolean turnsRound, double fieldOfViewM, long seed, DvsModel dvs) {
     /** The array of a DAVIS240C. */
     public static final SensorSize DAVIS240 = new SensorSize(240, 180);
 
@@ -54,6 +55,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      *     threshold of 0.2 fires three times for 0.7
      * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain one,
      *     and for the own one of a scene with textures
+     * @param surface what walls and textured objects are made of
      * @param blurPx standard deviation of the optical blur in px, above 0
      * @param turnsRound whether a camera pan slows down, turns round and comes back
      * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
@@ -63,6 +65,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions {
         Objects.requireNonNull(sensor, "sensor");
+        Objects.requireNonNull(surface, "surface");
         Objects.requireNonNull(dvs, "dvs");
         requireNotNegative("durationUs", durationUs);
         requireNotNegative("speedPxPerS", speedPxPerS);
@@ -88,7 +91,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * ({@link DvsModel#davis()}) with a blur of 0.7 px and a contrast of 0.7 on a plain background; seed 1.
      */
     public static SimulationOptions defaults() {
-        return new SimulationOptions(DAVIS240, 0, 0, 0, 1, 1, 0.7, 0, 0.7, false, 0, 1, DvsModel.davis());
+        return new SimulationOptions(DAVIS240, 0, 0, 0, 1, 1, 0.7, 0, Surface.LEAVES, 0.7, false, 0, 1,
+                DvsModel.davis());
     }
 
     /**
@@ -98,7 +102,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions withSensor(SensorSize other) {
         return new SimulationOptions(other, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
-                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+                surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -108,7 +112,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions withDurationUs(long us) {
         return new SimulationOptions(sensor, us, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
-                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+                surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -118,7 +122,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions withSpeedPxPerS(double pxPerS) {
         return new SimulationOptions(sensor, durationUs, pxPerS, directionDeg, turnsPerS, scale, contrast, texture,
-                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+                surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -127,7 +131,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param deg from right to down
      */
     public SimulationOptions withDirectionDeg(double deg) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, deg, turnsPerS, scale, contrast, texture,
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, deg, turnsPerS, scale, contrast, texture, surface,
                 blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
@@ -138,7 +142,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions withTurnsPerS(double turns) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turns, scale, contrast, texture,
-                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+                surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -148,7 +152,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions withScale(double factor) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, factor, contrast,
-                texture, blurPx, turnsRound, fieldOfViewM, seed, dvs);
+                texture, surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -157,8 +161,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param logRatio logarithm of background light over an object's
      */
     public SimulationOptions withContrast(double logRatio) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, logRatio,
-                texture, blurPx, turnsRound, fieldOfViewM, seed, dvs);
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, logRatio, texture,
+                surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -168,7 +172,17 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      */
     public SimulationOptions withTexture(double sd) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, sd,
-                blurPx, turnsRound, fieldOfViewM, seed, dvs);
+                surface, blurPx, turnsRound, fieldOfViewM, seed, dvs);
+    }
+
+    /**
+     * {@return the same with walls and textured objects made of something else}
+     *
+     * @param what the new value
+     */
+    public SimulationOptions withSurface(Surface what) {
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                what, blurPx, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -177,8 +191,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param px standard deviation in px
      */
     public SimulationOptions withBlurPx(double px) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
-                texture, px, turnsRound, fieldOfViewM, seed, dvs);
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                surface, px, turnsRound, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -187,8 +201,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param round whether it does
      */
     public SimulationOptions withTurnsRound(boolean round) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
-                texture, blurPx, round, fieldOfViewM, seed, dvs);
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                surface, blurPx, round, fieldOfViewM, seed, dvs);
     }
 
     /**
@@ -197,8 +211,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param m in m; 0 so that the swing fills it
      */
     public SimulationOptions withFieldOfViewM(double m) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
-                texture, blurPx, turnsRound, m, seed, dvs);
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                surface, blurPx, turnsRound, m, seed, dvs);
     }
 
     /**
@@ -207,8 +221,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param other the new value
      */
     public SimulationOptions withSeed(long other) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
-                texture, blurPx, turnsRound, fieldOfViewM, other, dvs);
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                surface, blurPx, turnsRound, fieldOfViewM, other, dvs);
     }
 
     /**
@@ -217,8 +231,8 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      * @param model of the pixels
      */
     public SimulationOptions withDvs(DvsModel model) {
-        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast,
-                texture, blurPx, turnsRound, fieldOfViewM, seed, model);
+        return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
+                surface, blurPx, turnsRound, fieldOfViewM, seed, model);
     }
 
     private static void requireAtMost(String name, double value, double most) {

@@ -19,7 +19,7 @@ import java.util.Random;
 final class TexturedScenes {
     /** With thresholds of 0.2 a DAVIS240C gives 350,000 events/s at 60 px/s. */
     private static final double WALL_SD = 0.28;
-    private static final double WALL_LEAF_PX = 2.5;
+    private static final double GRAIN_PX = 2.5;
     private static final int WALL_SIDE_PX = 256;
     private static final int SHAPE_SIDE_PX = 128;
     private static final double LONGEST_S = 3;
@@ -171,13 +171,14 @@ final class TexturedScenes {
     }
 
     private static Texture texture(SimulationOptions options, int sidePx, Random random) {
-        return new Texture(sidePx, options.texture() == 0 ? WALL_SD : options.texture(),
-                WALL_LEAF_PX * options.scale(), options.blurPx(), random);
+        return new Texture(options.surface(), sidePx, options.texture() == 0 ? WALL_SD : options.texture(),
+                GRAIN_PX * options.scale(), options.blurPx(), random);
     }
 
     /** Texture of a shape. */
     static Texture texture(SimulationOptions options, double sd, Random random) {
-        return new Texture(SHAPE_SIDE_PX, sd, WALL_LEAF_PX * options.scale(), options.blurPx(), random);
+        return new Texture(options.surface(), SHAPE_SIDE_PX, sd, GRAIN_PX * options.scale(), options.blurPx(),
+                random);
     }
 
     private static double arm(SimulationOptions options) {

@@ -145,6 +145,9 @@ public class NothingLostTest {
             "--turn-round");
         assertUsage("--field-of-view has no effect on hexagon, only on pendulum", "simulate", "hexagon", "--out", out,
             "--field-of-view", "1");
+        assertUsage("--surface has no effect on poster, only on random, side-by-side, textured-hand, textured-movers, "
+            + "textured-pan, textured-roll, textured-slant, textured-turn, textured-zoom", "simulate", "poster",
+            "--out", out, "--surface", "smooth");
         assertUsage("--hot-pixel-rate has no effect without --hot-pixels", "simulate", "hexagon", "--out", out,
             "--hot-pixel-rate", "1");
         assertUsage("--force-chip has no effect without --chip", "run", recording, "--out", out, "--force-chip", "-f");

@@ -7,12 +7,15 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.recording.Chip;
 import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.Surface;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -92,6 +95,24 @@ public class SimulateCommandTest {
             + "three-wandering, swinging-ball, wandering-discs, sixteen, textured-pan, textured-roll, textured-zoom, "
             + "textured-hand, textured-turn, textured-slant, poster, coming-near, going-away, textured-movers, "
             + "flicker, random, noise", "heptagon");
+    }
+
+    @Test
+    public void refusesUnknownSurfacesAndListsTheKnown() {
+        assertUsage("--surface must be one of leaves, smooth, fractal but was \"velvet\"", "textured-pan", "--surface",
+            "velvet");
+    }
+
+    @Test
+    public void wallsCanBeMadeOfSomethingElse() throws IOException {
+        Set<String> films = new HashSet<>();
+        for (Surface surface : Surface.values()) {
+            Executed simulate = simulate("textured-pan", "--duration", "0.02", "--force", "--surface",
+                surface.surfaceName());
+            assertEquals(simulate.err, 0, simulate.exitCode);
+            films.add(Files.readString(out.resolve("textured-pan.truth.csv")));
+        }
+        assertEquals(Surface.values().length, films.size());
     }
 
     @Test

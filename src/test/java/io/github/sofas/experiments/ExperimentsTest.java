@@ -165,7 +165,7 @@ public class ExperimentsTest {
         assertTrue(page.contains("<h3>Among the worst: " + scenes.worst().get(0).figures().name() + "</h3>"));
         String csv = written(ExperimentFiles.RANDOM_SCENES);
         assertTrue(csv, csv.startsWith("scene,objects,events,\"IoU\",\"parts\",\"rEE,%\",\"flow,%\","));
-        assertEquals("header, random and textured scenes", 1 + 6 + 13, csv.lines().count());
+        assertEquals("header, random and textured scenes", 1 + 6 + 19, csv.lines().count());
         assertTrue(csv, csv.contains("\nflicker,0,"));
     }
 

@@ -15,27 +15,79 @@ public class TextureTest {
     private static final SimulationOptions IDEAL = SimulationOptions.defaults().withSensor(SENSOR)
             .withDvs(DvsModel.ideal());
 
-    private final Texture texture = new Texture(128, 0.4, 2.5, 0.7, new Random(3));
+    private final Texture texture = of(Surface.LEAVES);
+
+    private static Texture of(Surface surface) {
+        return new Texture(surface, 128, 0.4, 2.5, 0.7, new Random(3));
+    }
 
     @Test
     public void hasTheSpreadThatWasAskedFor() {
-        double sum = 0;
-        double squares = 0;
-        for (int y = 0; y < 256; y++) {
-            for (int x = 0; x < 256; x++) {
-                double value = texture.logLightAt(x / 2.0, y / 2.0);
-                sum += value;
-                squares += value * value;
+        for (Surface surface : Surface.values()) {
+            Texture its = of(surface);
+            double sum = 0;
+            double squares = 0;
+            for (int y = 0; y < 256; y++) {
+                for (int x = 0; x < 256; x++) {
+                    double value = its.logLightAt(x / 2.0, y / 2.0);
+                    sum += value;
+                    squares += value * value;
+                }
             }
+            assertEquals(surface.surfaceName(), 0, sum / 65_536, 1e-4);
+            assertEquals(surface.surfaceName(), 0.16, squares / 65_536, 1e-3);
         }
-        assertEquals(0, sum / 65_536, 1e-4);
-        assertEquals(0.16, squares / 65_536, 1e-3);
     }
 
     @Test
     public void repeatsItselfWithoutASeam() {
-        assertEquals(texture.logLightAt(3.3, 100.7), texture.logLightAt(3.3 - 128, 100.7 + 256), 1e-6);
-        assertEquals(texture.logLightAt(127.999, 5), texture.logLightAt(0, 5), 1e-2);
+        for (Surface surface : Surface.values()) {
+            Texture its = of(surface);
+            assertEquals(its.logLightAt(3.3, 100.7), its.logLightAt(3.3 - 128, 100.7 + 256), 1e-6);
+            assertEquals(its.logLightAt(127.999, 5), its.logLightAt(0, 5), 1e-2);
+        }
+    }
+
+    /** Noise blurred by a Gaussian has the correlation of a Gaussian twice as wide in its square. */
+    @Test
+    public void smoothNoiseIsAsCorrelatedAsItsBlurMakesIt() {
+        double variance = 2.5 * 2.5 + 0.7 * 0.7;
+        for (double px : new double[] {2, 4, 8}) {
+            assertEquals(Math.exp(-px * px / (4 * variance)), correlation(Surface.SMOOTH, px), 0.05);
+        }
+    }
+
+    /** Octaves of 1.25, 2.5, 5, 10 px and of as much each; what was left of each by the optical blur weighs it. */
+    @Test
+    public void fractalNoiseHasAsMuchOfEachOctave() {
+        for (double px : new double[] {2, 4, 8}) {
+            double sum = 0;
+            double all = 0;
+            for (double size = 1.25; size <= 10; size *= 2) {
+                double variance = size * size + 0.7 * 0.7;
+                double left = size * size / variance;
+                sum += left * Math.exp(-px * px / (4 * variance));
+                all += left;
+            }
+            assertEquals(sum / all, correlation(Surface.FRACTAL, px), 0.1);
+        }
+    }
+
+    /** In the mean of both axes and four tiles. */
+    private static double correlation(Surface surface, double px) {
+        double products = 0;
+        double squares = 0;
+        for (int seed = 0; seed < 4; seed++) {
+            Texture its = new Texture(surface, 128, 0.4, 2.5, 0.7, new Random(seed));
+            for (int y = 0; y < 128; y++) {
+                for (int x = 0; x < 128; x++) {
+                    double here = its.logLightAt(x, y);
+                    products += here * (its.logLightAt(x + px, y) + its.logLightAt(x, y + px)) / 2;
+                    squares += here * here;
+                }
+            }
+        }
+        return products / squares;
     }
 
     /** Rotation, growth and sliding at once; what a pixel saw at its events follows from the texture alone. */
