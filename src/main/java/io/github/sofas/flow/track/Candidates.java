@@ -9,7 +9,9 @@ import java.util.Arrays;
  * <p>Ours. A contour has what its plane was given before, so that of structures that overlap the one that has been
  * given more gets more; {@link PixelHistory} knows the events of late whatever they were taken for. Edges that come as
  * far along several motions, as those of the pieces that a body is found in, stay with their piece. What comes out from
- * behind a body is on no contour: the body would remember its place, follow it, and be carried away.
+ * behind a body is on no contour: the body would remember its place, follow it, and be carried away. Nor is what enters
+ * the picture: its trace is cut off by the border, so that any other had a longer one by chance, and was carried along
+ * the border.
  */
 final class Candidates {
     /** Close support decides which contour is nearest, and support by all cells around it where that is the same. */
@@ -30,6 +32,10 @@ final class Candidates {
     private static final int DARK_TRACE = 5;
     /** What its trace must be longer by along the motion of a plane that does not remember it. */
     private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
+    /** Live events of a texture, at least: where one that has fewer enters, most of the events are not its own. */
+    private static final int LEAST_OF_TEXTURE = 2000;
+    /** Trace by which an edge came along a motion beyond doubt, also where all of a wall fires around it. */
+    private static final int SURE_TRACE = 6 * PixelHistory.ON_THE_PIXEL;
 
     /** Those that expect it; as long as none does, all that were offered it. */
     private TrackPlane[] planes = new TrackPlane[16];
@@ -42,11 +48,13 @@ final class Candidates {
     private TrackPlane best;
     private int support;
     private int closeSupport;
+    private boolean isEntering;
 
     /** Begins with an event. */
     void clear() {
         size = 0;
         best = null;
+        isEntering = false;
         nearest = null;
         most = Integer.MIN_VALUE;
         second = Integer.MIN_VALUE;
@@ -100,7 +108,8 @@ final class Candidates {
     }
 
     /**
-     * The plane that has the event where none expects it.
+     * The plane that has the event where none expects it: the texture that enters the picture there, unless the edge
+     * came along the motion of another beyond doubt.
      *
      * @param remembering the plane that remembers its place; null for none
      * @param noise how many noise events a pixel gives of either polarity, per µs
@@ -108,6 +117,34 @@ final class Candidates {
      */
     TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
                           int polarity) {
+        TrackPlane its = byTrace(remembering, history, noise, x, y, timeUs, polarity);
+        TrackPlane entering = history.isNearBorder(x, y) ? entering(history, x, y, timeUs) : null;
+        if (entering == null || its == entering
+                || its != null && history.trace(x, y, timeUs, polarity, its.motion()) >= SURE_TRACE) {
+            return its;
+        }
+        isEntering = true;
+        // it is the event whose support was asked for last
+        entering.support(x, y, timeUs, polarity);
+        return entering;
+    }
+
+    /** The widest of the textures that enter the picture at a place and go on from there; null for none. */
+    private TrackPlane entering(PixelHistory history, int x, int y, long timeUs) {
+        TrackPlane widest = null;
+        for (int i = 0; i < size; i++) {
+            Contour its = planes[i].contour();
+            if (planes[i].liveEvents() >= LEAST_OF_TEXTURE && history.cameIn(x, y, timeUs, planes[i].motion())
+                    && its.goesOnFrom(x, y, timeUs) && (widest == null || its.extent() > widest.contour().extent())) {
+                widest = planes[i];
+            }
+        }
+        return widest;
+    }
+
+    /** The plane along whose motion the edge came, or that remembers its place. */
+    private TrackPlane byTrace(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
+                               int polarity) {
         int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS, x, y, timeUs);
         if (!isOfferedBeside(remembering) && (least < DARK_TRACE || remembering.isBent(x, y, timeUs))) {
             return remembering;
@@ -147,6 +184,11 @@ final class Candidates {
             }
         }
         return its;
+    }
+
+    /** Whether the plane that has the event has it because both enter the picture. */
+    boolean isEntering() {
+        return isEntering;
     }
 
     /** Whether it is doubtful that the event is of the plane that has it. */

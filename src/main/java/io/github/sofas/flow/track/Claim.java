@@ -7,5 +7,7 @@ enum Claim {
     /** It lies on another's contour, too: it shows nothing of the motion. */
     SHARED,
     /** It lies on no contour, but where the structure was seen, or in its box: it may be noise. */
-    REMEMBERED
+    REMEMBERED,
+    /** It lies on no contour, but enters the picture where the structure does, whose texture goes on from there. */
+    ENTERING
 }

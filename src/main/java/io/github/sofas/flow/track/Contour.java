@@ -31,6 +31,8 @@ final class Contour {
     private static final double REACH_ROOM_PX = 1;
     /** Distance from the border of the sensor within which the contour may be cut off by it, in px. */
     private static final double BORDER_PX = 2;
+    /** Steps in which it is looked for ahead of a place, in px. */
+    private static final double STEP_PX = 4;
     /** Live events that threshold, centre and radius are measured from. */
     private static final int SAMPLE = 256;
 
@@ -130,6 +132,21 @@ final class Contour {
         lastX = frame.x(x, y);
         lastY = frame.y(x, y);
         return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), expected(polarity));
+    }
+
+    /** Whether some of it lies a step or two ahead of a place, the way that it moves. */
+    boolean goesOnFrom(int x, int y, long timeUs) {
+        double vx = frame.motion().vxAt(x, y, timeUs);
+        double vy = frame.motion().vyAt(x, y, timeUs);
+        double stepS = STEP_PX / Math.max(PixelHistory.SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
+        int dx = (int) Math.rint(stepS * vx);
+        int dy = (int) Math.rint(stepS * vy);
+        return isOn(x + dx, y + dy, timeUs) || isOn(x + 2 * dx, y + 2 * dy, timeUs);
+    }
+
+    /** Whether an event of either polarity would be on it. */
+    private boolean isOn(int x, int y, long timeUs) {
+        return support(x, y, timeUs, 1) >= threshold || support(x, y, timeUs, -1) >= threshold;
     }
 
     /**

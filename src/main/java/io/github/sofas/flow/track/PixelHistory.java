@@ -21,6 +21,8 @@ final class PixelHistory {
     static final int ON_THE_PIXEL = 3;
     /** Events that are kept of each pixel and polarity. */
     private static final int KEPT = 4;
+    /** Px of travel within which what came from beyond the border has just come. */
+    private static final int ENTRY_PX = 5;
     /** Speed that a px of travel takes its time from where an edge moves more slowly: what stands has none. */
     static final double SLOWEST_PX_PER_S = 1;
 
@@ -136,6 +138,23 @@ final class PixelHistory {
         return trace;
     }
 
+    /** Whether an edge that fires now may have come from beyond the border of the sensor just before. */
+    boolean isNearBorder(int x, int y) {
+        return x < ENTRY_PX || y < ENTRY_PX || x >= width - ENTRY_PX || y >= height - ENTRY_PX;
+    }
+
+    /** Whether it did along a motion. */
+    boolean cameIn(int x, int y, long timeUs, Motion motion) {
+        double vx = motion.vxAt(x, y, timeUs);
+        double vy = motion.vyAt(x, y, timeUs);
+        double entryS = ENTRY_PX / Math.max(SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
+        return !isOnSensor((int) Math.rint(x - entryS * vx), (int) Math.rint(y - entryS * vy));
+    }
+
+    private boolean isOnSensor(int x, int y) {
+        return x >= 0 && y >= 0 && x < width && y < height;
+    }
+
     /** What a px of travel counts for whose events are those at a place within a time. */
     private int met(double atX, double atY, int polarity, int fromTick, int untilTick) {
         int x = (int) Math.rint(atX);
@@ -150,7 +169,7 @@ final class PixelHistory {
     }
 
     private boolean fired(int x, int y, int polarity, int fromTick, int untilTick) {
-        if (x < 0 || y < 0 || x >= width || y >= height) {
+        if (!isOnSensor(x, y)) {
             return false;
         }
         long its = events[index(x, y, polarity)];

@@ -105,9 +105,14 @@ public final class TrackPlaneStack {
             if (keepsHistory()) {
                 best = candidates.unexpected(best, history, noise.perUs(), x, y, timeUs, polarity);
             }
-            // what turns back comes to where its contour was
-            isDoubtful = best != null && !best.isBent(x, y, timeUs);
-            claim = Claim.REMEMBERED;
+            if (candidates.isEntering()) {
+                claim = Claim.ENTERING;
+                isDoubtful = false;
+            } else {
+                claim = Claim.REMEMBERED;
+                // what turns back comes to where its contour was
+                isDoubtful = best != null && !best.isBent(x, y, timeUs);
+            }
         } else {
             isDoubtful = candidates.isDoubtful();
             boolean isShared = candidates.areClose() || candidates.isWeak() && isRememberedByOther(best, x, y, timeUs);

@@ -93,6 +93,23 @@ public class ContourTest {
     }
 
     @Test
+    public void goesOnFromPlacesFourOrEightPxBehindIt() {
+        start(100, 0);
+        addBlock(24, 39, 3);
+        // in a second sixteenth, for one is too little; the block is a px farther by then
+        contour.fade(10_000, LIFETIME_US);
+        for (int y = 39; y < 42; y++) {
+            for (int x = 25; x < 28; x++) {
+                contour.add(x, y, 10_000, 1, 0, 1);
+            }
+        }
+        assertTrue(contour.goesOnFrom(22, 40, 10_000));
+        assertTrue(contour.goesOnFrom(18, 40, 10_000));
+        assertFalse("it has 24 to 28, not 18 and 22", contour.goesOnFrom(14, 40, 10_000));
+        assertFalse("it comes from there", contour.goesOnFrom(30, 40, 10_000));
+    }
+
+    @Test
     public void sixteenthsCountAndNotEvents() {
         startAtRest();
         addBlock(29, 19, 3);

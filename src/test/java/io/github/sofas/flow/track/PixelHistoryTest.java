@@ -1,6 +1,7 @@
 package io.github.sofas.flow.track;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
@@ -65,6 +66,27 @@ public class PixelHistoryTest {
         // times are told apart by 64 µs
         history.note(X - 3, Y, NOW_US - 35_100, 1);
         assertEquals("35.1 of 25 to 35 ms", 3, trace(100, 0));
+    }
+
+    @Test
+    public void edgeThatWasBeyondTheBorderFivePxBeforeHasComeIn() {
+        assertTrue("at column -1", history.cameIn(4, Y, NOW_US, motion(100, 0)));
+        assertFalse("at column 0", history.cameIn(5, Y, NOW_US, motion(100, 0)));
+        assertFalse("from the other side", history.cameIn(4, Y, NOW_US, motion(-100, 0)));
+        assertTrue("at column 64", history.cameIn(59, Y, NOW_US, motion(-100, 0)));
+        assertFalse("at column 63", history.cameIn(58, Y, NOW_US, motion(-100, 0)));
+        assertTrue("three px to the left and four up", history.cameIn(X, 3, NOW_US, motion(60, 80)));
+        assertFalse(history.cameIn(X, 4, NOW_US, motion(60, 80)));
+        assertTrue("at row 48", history.cameIn(X, 43, NOW_US, motion(0, -100)));
+    }
+
+    @Test
+    public void edgesComeInNearTheBorderOnly() {
+        for (int x = 0; x < 64; x++) {
+            for (int y = 0; y < 48; y++) {
+                assertEquals(x < 5 || y < 5 || x > 58 || y > 42, history.isNearBorder(x, y));
+            }
+        }
     }
 
     @Test
