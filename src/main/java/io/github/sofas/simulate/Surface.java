@@ -24,7 +24,7 @@ public enum Surface {
     SMOOTH("smooth") {
         @Override
         float[] paint(int side, double grain, Random random) {
-            return Tile.blurred(noise(side, random), side, grain);
+            return Tile.blurred(noise(side, random), side, Math.min(grain, largest(side)));
         }
     },
     /**
@@ -36,7 +36,7 @@ public enum Surface {
         @Override
         float[] paint(int side, double grain, Random random) {
             float[] sum = new float[side * side];
-            for (double size = grain / 2; size <= side / 8.0; size *= 2) {
+            for (double size = Math.min(grain / 2, largest(side)); size <= largest(side); size *= 2) {
                 float[] octave = Tile.blurred(noise(side, random), side, size);
                 Tile.scale(octave, 1);
                 for (int i = 0; i < sum.length; i++) {
@@ -78,6 +78,11 @@ public enum Surface {
      * @param grain size of the smallest that it shows, in texels: the radius of leaves, the standard deviation of blurs
      */
     abstract float[] paint(int side, double grain, Random random);
+
+    /** Largest standard deviation of a blur, in texels: more would leave nothing of what is repeated. */
+    private static double largest(int side) {
+        return side / 8.0;
+    }
 
     private static float[] noise(int side, Random random) {
         float[] noise = new float[side * side];

@@ -18,24 +18,38 @@ public class TextureTest {
     private final Texture texture = of(Surface.LEAVES);
 
     private static Texture of(Surface surface) {
-        return new Texture(surface, 128, 0.4, 2.5, 0.7, new Random(3));
+        return of(surface, 2.5, 3);
+    }
+
+    private static Texture of(Surface surface, double grainPx, long seed) {
+        return new Texture(surface, 128, 0.4, grainPx, 0.7, new Random(seed));
+    }
+
+    private static void assertSpread(String name, Texture its) {
+        double sum = 0;
+        double squares = 0;
+        for (int y = 0; y < 256; y++) {
+            for (int x = 0; x < 256; x++) {
+                double value = its.logLightAt(x / 2.0, y / 2.0);
+                sum += value;
+                squares += value * value;
+            }
+        }
+        assertEquals(name, 0, sum / 65_536, 1e-4);
+        assertEquals(name, 0.16, squares / 65_536, 1e-3);
     }
 
     @Test
     public void hasTheSpreadThatWasAskedFor() {
         for (Surface surface : Surface.values()) {
-            Texture its = of(surface);
-            double sum = 0;
-            double squares = 0;
-            for (int y = 0; y < 256; y++) {
-                for (int x = 0; x < 256; x++) {
-                    double value = its.logLightAt(x / 2.0, y / 2.0);
-                    sum += value;
-                    squares += value * value;
-                }
-            }
-            assertEquals(surface.surfaceName(), 0, sum / 65_536, 1e-4);
-            assertEquals(surface.surfaceName(), 0.16, squares / 65_536, 1e-3);
+            assertSpread(surface.surfaceName(), of(surface));
+        }
+    }
+
+    @Test
+    public void hasItAlsoWhereItsGrainIsLargerThanWhatIsRepeated() {
+        for (Surface surface : Surface.values()) {
+            assertSpread(surface.surfaceName(), of(surface, 250, 3));
         }
     }
 
@@ -78,7 +92,7 @@ public class TextureTest {
         double products = 0;
         double squares = 0;
         for (int seed = 0; seed < 4; seed++) {
-            Texture its = new Texture(surface, 128, 0.4, 2.5, 0.7, new Random(seed));
+            Texture its = of(surface, 2.5, seed);
             for (int y = 0; y < 128; y++) {
                 for (int x = 0; x < 128; x++) {
                     double here = its.logLightAt(x, y);
