@@ -138,7 +138,7 @@ final class Contour {
     boolean goesOnFrom(int x, int y, long timeUs) {
         double vx = frame.motion().vxAt(x, y, timeUs);
         double vy = frame.motion().vyAt(x, y, timeUs);
-        double stepS = STEP_PX / Math.max(PixelHistory.SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
+        double stepS = PixelHistory.travelS(STEP_PX, vx, vy);
         int dx = (int) Math.rint(stepS * vx);
         int dy = (int) Math.rint(stepS * vy);
         return isOn(x + dx, y + dy, timeUs) || isOn(x + 2 * dx, y + 2 * dy, timeUs);

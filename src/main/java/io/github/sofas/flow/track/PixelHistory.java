@@ -147,8 +147,13 @@ final class PixelHistory {
     boolean cameIn(int x, int y, long timeUs, Motion motion) {
         double vx = motion.vxAt(x, y, timeUs);
         double vy = motion.vyAt(x, y, timeUs);
-        double entryS = ENTRY_PX / Math.max(SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
+        double entryS = travelS(ENTRY_PX, vx, vy);
         return !isOnSensor((int) Math.rint(x - entryS * vx), (int) Math.rint(y - entryS * vy));
+    }
+
+    /** How long it takes to travel some px at a velocity, in s; of what stands, as long as of what hardly moves. */
+    static double travelS(double px, double vx, double vy) {
+        return px / Math.max(SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
     }
 
     private boolean isOnSensor(int x, int y) {
