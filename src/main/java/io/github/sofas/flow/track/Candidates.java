@@ -11,7 +11,7 @@ import java.util.Arrays;
  * far along several motions, as those of the pieces that a body is found in, stay with their piece. What comes out from
  * behind a body is on no contour: the body would remember its place, follow it, and be carried away. Nor is what enters
  * the picture: its trace is cut off by the border, so that any other had a longer one by chance, and was carried along
- * the border.
+ * the border. Between a wall and what moves before it, {@link Ground} decides.
  */
 final class Candidates {
     /** Close support decides which contour is nearest, and support by all cells around it where that is the same. */
@@ -48,13 +48,15 @@ final class Candidates {
     private TrackPlane best;
     private int support;
     private int closeSupport;
-    private boolean isEntering;
+    private boolean isAppearing;
+    private final Ground ground = new Ground();
 
     /** Begins with an event. */
     void clear() {
         size = 0;
         best = null;
-        isEntering = false;
+        isAppearing = false;
+        ground.clear();
         nearest = null;
         most = Integer.MIN_VALUE;
         second = Integer.MIN_VALUE;
@@ -62,6 +64,7 @@ final class Candidates {
 
     /** Considers a plane in whose box the event lies; it expects the event if that lies on its contour. */
     void offer(TrackPlane plane, int x, int y, long timeUs, int polarity) {
+        ground.offer(plane);
         int its = plane.support(x, y, timeUs, polarity);
         if (its < plane.threshold()) {
             if (nearest == null) {
@@ -99,17 +102,35 @@ final class Candidates {
         if (nearest != null && size > 1) {
             int trace = history.trace(x, y, timeUs, polarity, nearest.motion());
             best = farther(trace + PixelHistory.ON_THE_PIXEL, nearest, history, x, y, timeUs, polarity);
-            if (best != nearest) {
-                support = best.support(x, y, timeUs, polarity);
+        }
+        if (best != null) {
+            best = beforeGround(history, x, y, timeUs, polarity);
+        }
+        if (best != nearest) {
+            support = best.support(x, y, timeUs, polarity);
+            if (!isAppearing) {
                 closeSupport = best.closeSupport(polarity);
             }
         }
         return best;
     }
 
+    /** The plane that has the event, or the ground that it moves before, or a body before it if that is the ground. */
+    private TrackPlane beforeGround(PixelHistory history, int x, int y, long timeUs, int polarity) {
+        if (best != ground.plane()) {
+            if (!ground.isBehind(best) || !ground.has(best, history, x, y, timeUs, polarity)) {
+                return best;
+            }
+            isAppearing = ground.plane().support(x, y, timeUs, polarity) < ground.plane().threshold();
+            return ground.plane();
+        }
+        TrackPlane body = size > 1 ? farther(-1, best, history, x, y, timeUs, polarity) : best;
+        return ground.isBehind(body) && ground.yields(body, history, x, y, timeUs, polarity) ? body : best;
+    }
+
     /**
      * The plane that has the event where none expects it: the texture that enters the picture there, unless the edge
-     * came along the motion of another beyond doubt.
+     * came along the motion of another beyond doubt; or the ground, where that comes out from behind a body.
      *
      * @param remembering the plane that remembers its place; null for none
      * @param noise how many noise events a pixel gives of either polarity, per µs
@@ -118,15 +139,22 @@ final class Candidates {
     TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
                           int polarity) {
         TrackPlane its = byTrace(remembering, history, noise, x, y, timeUs, polarity);
-        TrackPlane entering = history.isNearBorder(x, y) ? entering(history, x, y, timeUs) : null;
-        if (entering == null || its == entering
-                || its != null && history.trace(x, y, timeUs, polarity, its.motion()) >= SURE_TRACE) {
+        TrackPlane appearing = history.isNearBorder(x, y) ? entering(history, x, y, timeUs) : null;
+        if (appearing != null && its != null && its != appearing
+                && history.trace(x, y, timeUs, polarity, its.motion()) >= SURE_TRACE) {
             return its;
         }
-        isEntering = true;
+        if (appearing == null && its != null && ground.isBehind(its)
+                && ground.has(its, history, x, y, timeUs, polarity)) {
+            appearing = ground.plane();
+        }
+        if (appearing == null || appearing == its) {
+            return its;
+        }
+        isAppearing = true;
         // it is the event whose support was asked for last
-        entering.support(x, y, timeUs, polarity);
-        return entering;
+        appearing.support(x, y, timeUs, polarity);
+        return appearing;
     }
 
     /** The widest of the textures that enter the picture at a place and go on from there; null for none. */
@@ -186,9 +214,9 @@ final class Candidates {
         return its;
     }
 
-    /** Whether the plane that has the event has it because both enter the picture. */
-    boolean isEntering() {
-        return isEntering;
+    /** Whether the plane that has the event has it because both come into sight there. */
+    boolean isAppearing() {
+        return isAppearing;
     }
 
     /** Whether it is doubtful that the event is of the plane that has it. */

@@ -8,6 +8,9 @@ enum Claim {
     SHARED,
     /** It lies on no contour, but where the structure was seen, or in its box: it may be noise. */
     REMEMBERED,
-    /** It lies on no contour, but enters the picture where the structure does, whose texture goes on from there. */
-    ENTERING
+    /**
+     * It lies not on its contour, but comes into sight where the structure does, from beyond the border or from behind
+     * what moves before it, and the structure's texture goes on from there.
+     */
+    APPEARING
 }

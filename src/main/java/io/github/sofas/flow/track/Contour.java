@@ -33,6 +33,8 @@ final class Contour {
     private static final double BORDER_PX = 2;
     /** Steps in which it is looked for ahead of a place, in px. */
     private static final double STEP_PX = 4;
+    /** Breadth of what is wide, as a share of the sensor's shorter side: all of that has 0.29. */
+    private static final double WIDE = 0.2;
     /** Live events that threshold, centre and radius are measured from. */
     private static final int SAMPLE = 256;
 
@@ -55,6 +57,7 @@ final class Contour {
     private double centreX;
     private double centreY;
     private double radius;
+    private double breadth;
     private final Bounds reached = new Bounds();
     /** Whether it may lie elsewhere than was told last. */
     private boolean changedReach;
@@ -91,6 +94,7 @@ final class Contour {
         centreX = 0;
         centreY = 0;
         radius = 0;
+        breadth = 0;
     }
 
     /** Least support that puts an event on the contour. */
@@ -115,6 +119,16 @@ final class Contour {
     /** Distance of the contour from its centre, root of the mean square, in px. */
     double radius() {
         return radius;
+    }
+
+    /** Its standard deviation along the axis in which it is narrowest, in px: that of a square by 0.29 of its side. */
+    double breadth() {
+        return breadth;
+    }
+
+    /** Whether it fills the picture from side to side, as a wall does: no bar is as broad. */
+    boolean isWide() {
+        return breadth >= WIDE * Math.min(sensorWidth, sensorHeight);
     }
 
     /** Expects events of either polarity where those of one were seen, or of that one alone. */
@@ -292,6 +306,8 @@ final class Contour {
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
+        double sumXx = 0;
+        double sumXy = 0;
         int stride = Math.max(1, live.size() / SAMPLE);
         if (live.size() > 0) {
             past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
@@ -315,10 +331,13 @@ final class Contour {
             sumX += x;
             sumY += y;
             squares += x * x + y * y;
+            sumXx += x * x;
+            sumXy += x * y;
             n++;
         }
         if (n == 0) {
             radius = 0;
+            breadth = 0;
             return;
         }
         threshold = Math.max(Math.max(LEAST_SUPPORT, noiseSupport), (int) (SHARE * support / n));
@@ -326,6 +345,11 @@ final class Contour {
         centreX = sumX / n;
         centreY = sumY / n;
         radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));
+        double xx = sumXx / n - centreX * centreX;
+        double xy = sumXy / n - centreX * centreY;
+        // the smaller eigenvalue of the covariance, whose trace is the square of the radius
+        double difference = 2 * xx - radius * radius;
+        breadth = Math.sqrt(Math.max(0, 0.5 * (radius * radius - Math.sqrt(difference * difference + 4 * xy * xy))));
     }
 
     /** Whether an event of either polarity on an occupied cell is on the contour. */

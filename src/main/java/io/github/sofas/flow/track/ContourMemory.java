@@ -1,5 +1,6 @@
 package io.github.sofas.flow.track;
 
+import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Gradient;
 import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
@@ -7,9 +8,11 @@ import java.util.Arrays;
 /**
  * What a structure has looked like: where its contour was seen, in coordinates that travel, turn, grow and are deformed
  * with it, but for perspective, remembered for a while after its live events have gone. Ours, because an edge that was
- * hidden, or that moved along itself, would else come back as a structure of its own.
+ * hidden, or that moved along itself, would else come back as a structure of its own. And which of its places are its
+ * own, and not of what it moves before.
  *
- * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last.
+ * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last, and every four of
+ * them how much farther edges came there along the structure's motion than along that of what lies behind.
  */
 final class ContourMemory {
     /** Ticks are 1,024 us. */
@@ -22,6 +25,8 @@ final class ContourMemory {
     /** The least side of a tile is 2^this cells, which are 8 px; and tiles along the width of a large sensor. */
     private static final int LEAST_TILE_BITS = 2;
     private static final int TILES = 40;
+    /** Events over which the lead of a place fades. */
+    private static final float LEAD_EVENTS = 64;
 
     private final int columnBits;
     /** Tiles have 2^this cells along a side. */
@@ -30,6 +35,8 @@ final class ContourMemory {
     private final int maskY;
     /** Tick at which each cell was seen last. */
     private final int[] seen;
+    /** Lead of every 2 x 2 cells. */
+    private final float[] lead;
     private final Motion motion = new Motion();
     // the origin of the structure's coordinates at the motion's reference
     private double originX;
@@ -62,16 +69,24 @@ final class ContourMemory {
         maskX = (1 << columnBits) - 1;
         maskY = (1 << bits(sensorHeight)) - 1;
         seen = new int[(maskX + 1) * (maskY + 1)];
+        lead = new float[seen.length / 4];
+    }
+
+    /** Bytes of its arrays. */
+    static long bytes(SensorSize sensor) {
+        long cells = 1L << bits(sensor.width()) + bits(sensor.height());
+        return Integer.BYTES * cells + Float.BYTES * cells / 4;
     }
 
     /** Cells along an axis, as a power of two: those of the sensor and a few around it. */
-    static int bits(int side) {
+    private static int bits(int side) {
         return Integer.SIZE - Integer.numberOfLeadingZeros(side / 2 + 7);
     }
 
     /** Begins with nothing seen. */
     void start(Motion now) {
         Arrays.fill(seen, NEVER);
+        Arrays.fill(lead, 0);
         motion.copyFrom(now);
         originX = 0;
         originY = 0;
@@ -197,5 +212,18 @@ final class ContourMemory {
         cells += seen[next | left] > since ? 1 : 0;
         cells += seen[next | right] > since ? 1 : 0;
         return cells >= LEAST_CELLS ? cells : 0;
+    }
+
+    /**
+     * Takes in how much farther the edge of an event came along the structure's motion than along that of what lies
+     * behind, as traces; returns the mean of that at its place over the last events there, 0 of a place that is new.
+     */
+    double lead(int x, int y, long timeUs, int farther) {
+        locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
+        int cx = (int) Math.floor(cellX) & maskX;
+        int cy = (int) Math.floor(cellY) & maskY;
+        int place = cy >> 1 << columnBits - 1 | cx >> 1;
+        lead[place] += (farther - lead[place]) / LEAD_EVENTS;
+        return lead[place];
     }
 }

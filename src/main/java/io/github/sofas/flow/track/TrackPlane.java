@@ -68,8 +68,7 @@ public final class TrackPlane {
 
     /** The most bytes that its arrays take. */
     static long mostBytes(SensorSize sensor) {
-        int memoryBits = ContourMemory.bits(sensor.width()) + ContourMemory.bits(sensor.height());
-        return Contour.bytes(sensor) + ((long) Integer.BYTES << memoryBits) + LiveEvents.BYTES;
+        return Contour.bytes(sensor) + ContourMemory.bytes(sensor) + LiveEvents.BYTES;
     }
 
     /**
@@ -202,6 +201,11 @@ public final class TrackPlane {
     /** How many of the cells around an event the structure was seen on not long ago; 0 where they are too few. */
     int remembered(int x, int y, long timeUs) {
         return memory.remembered(x, y, timeUs);
+    }
+
+    /** Takes in how much farther an edge came along its motion than another's; returns the mean of that there. */
+    double lead(int x, int y, long timeUs, int farther) {
+        return memory.lead(x, y, timeUs, farther);
     }
 
     /**

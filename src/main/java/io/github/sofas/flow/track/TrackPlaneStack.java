@@ -98,21 +98,22 @@ public final class TrackPlaneStack {
             }
         }
         TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
-        boolean isDoubtful;
-        Claim claim;
-        if (best == null) {
+        boolean isExpected = best != null;
+        if (!isExpected) {
             best = remembering(x, y, timeUs);
             if (keepsHistory()) {
                 best = candidates.unexpected(best, history, noise.perUs(), x, y, timeUs, polarity);
             }
-            if (candidates.isEntering()) {
-                claim = Claim.ENTERING;
-                isDoubtful = false;
-            } else {
-                claim = Claim.REMEMBERED;
-                // what turns back comes to where its contour was
-                isDoubtful = best != null && !best.isBent(x, y, timeUs);
-            }
+        }
+        boolean isDoubtful;
+        Claim claim;
+        if (candidates.isAppearing()) {
+            claim = Claim.APPEARING;
+            isDoubtful = false;
+        } else if (!isExpected) {
+            claim = Claim.REMEMBERED;
+            // what turns back comes to where its contour was
+            isDoubtful = best != null && !best.isBent(x, y, timeUs);
         } else {
             isDoubtful = candidates.isDoubtful();
             boolean isShared = candidates.areClose() || candidates.isWeak() && isRememberedByOther(best, x, y, timeUs);

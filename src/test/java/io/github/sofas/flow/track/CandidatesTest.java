@@ -200,7 +200,7 @@ public class CandidatesTest {
     public void whatEntersThePictureDoesNotMeasure() {
         planeOfEntering(100, 14, 0);
         LiveEvents live = edges.stack.planeOf(1).live();
-        assertEquals(Claim.ENTERING, live.claim(live.index(live.size() - 1)));
+        assertEquals(Claim.APPEARING, live.claim(live.index(live.size() - 1)));
     }
 
     @Test
@@ -208,6 +208,31 @@ public class CandidatesTest {
         assertEquals("six px on the very pixel", 2, planeOfEntering(100, 14, 6));
         edges.stack.reset();
         assertEquals("five", 1, planeOfEntering(100, 14, 5));
+    }
+
+    /**
+     * The plane of an event at (62, 41) on the contour of plane 2, a bar that moves to the left at 100 px/s, and not on
+     * that of plane 1, the wall, which has dots there 4 px ahead; an edge came to it by two columns from one side.
+     */
+    private int planeOfBeforeWall(int fromRow, int rows, int fromColumn) {
+        edges.beginWall(fromRow, rows);
+        edges.begin(64, 30, -100, 1);
+        edges.nowUs -= 10_000;
+        for (int column = fromColumn; column != 62; column += Integer.signum(62 - fromColumn)) {
+            edges.nowUs += 10_000;
+            edges.label(column, 41);
+        }
+        edges.nowUs += 10_000;
+        return edges.label(62, 41);
+    }
+
+    @Test
+    public void wallHasWhatComesOutFromBehindWhatMovesBeforeIt() {
+        assertEquals("it came along the wall's motion", 1, planeOfBeforeWall(0, 12, 60));
+        edges.stack.reset();
+        assertEquals("along the bar's", 2, planeOfBeforeWall(0, 12, 64));
+        edges.stack.reset();
+        assertEquals("the wall is three rows of dots", 2, planeOfBeforeWall(32, 3, 60));
     }
 
     /** The plane of an event where plane 1 is remembered, after 200 ms with so many noise events a ms elsewhere. */

@@ -282,7 +282,7 @@ public class ContourTest {
         assertEquals(2, contour.support(3, 21, 200_000, 1));
     }
 
-    /** Two blocks of 9 px, 20 px left and right of the centre, whose radius is measured. */
+    /** Two blocks of 9 px, 20 px left and right of the centre, whose radius and breadth are measured. */
     private void addDumbbell() {
         LiveEvents live = new LiveEvents();
         for (int middle = 40; middle <= 80; middle += 40) {
@@ -294,6 +294,7 @@ public class ContourTest {
         contour.measure(live, motion, 0);
         // 20² between the middles and the centre, and (9² - 1) / 12 along each axis of a block
         assertEquals(Math.sqrt(400 + 2 * 80 / 12.0), contour.radius(), 0.01);
+        assertEquals(Math.sqrt(80 / 12.0), contour.breadth(), 0.01);
     }
 
     @Test

@@ -59,6 +59,25 @@ final class TrackedEdges {
         return plane;
     }
 
+    /**
+     * A wall that moves to the right at 100 px/s, and has a dot every 8 px, some rows of them.
+     *
+     * @param fromRow row above the first, a multiple of 8
+     */
+    TrackPlane beginWall(int fromRow, int rows) {
+        TrackPlane plane = stack.found().create(nowUs, 100, 0);
+        for (int c = COLUMNS - 1; c >= 0; c--) {
+            for (int y = fromRow + 1; y < fromRow + 8 * rows; y += 8) {
+                for (int x = 8; x < SENSOR.width() - 8; x += 8) {
+                    plane.addPast(x - c, y, nowUs - c * 10_000, 1, true);
+                }
+            }
+        }
+        stack.found().begin(plane, nowUs);
+        stack.adopt();
+        return plane;
+    }
+
     /** The segment that an ON event of now is given. */
     int label(int x, int y) {
         return label(x, y, 1);

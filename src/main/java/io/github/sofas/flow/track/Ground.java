@@ -1,0 +1,56 @@
+package io.github.sofas.flow.track;
+
+/**
+ * The wide texture that an event is offered to, as that of a wall, and whose an event is of this and of what moves
+ * before it.
+ *
+ * <p>Ours, because a single event does not tell. In a dense texture, edges come along any motion by chance. And what
+ * comes out from behind a body lies on no contour of the wall yet, but on the body's, once that has got some of it: so
+ * each body drew a tail of the wall along. But over the events of a place of the body, edges come farther along the
+ * body's motion than along the wall's, and over those of a place of the tail they do not ({@link ContourMemory#lead}).
+ */
+final class Ground {
+    /** Lead that gives a body or the wall what both contours expect, whatever the event's own trace. */
+    private static final double CLEAR_LEAD = PixelHistory.ON_THE_PIXEL;
+
+    private TrackPlane plane;
+
+    /** Begins with an event. */
+    void clear() {
+        plane = null;
+    }
+
+    /** Considers a plane in whose box the event lies. */
+    void offer(TrackPlane its) {
+        if (its.contour().isWide() && (plane == null || its.contour().extent() > plane.contour().extent())) {
+            plane = its;
+        }
+    }
+
+    /** The plane of the texture; null for none. */
+    TrackPlane plane() {
+        return plane;
+    }
+
+    /** Whether it lies behind the structure of a plane, as far as its size tells. */
+    boolean isBehind(TrackPlane body) {
+        return plane != null && plane != body && plane.contour().breadth() >= body.contour().radius();
+    }
+
+    /** Whether an event is of this rather than of a body before it whose contour or memory has it. */
+    boolean has(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
+        double lead = lead(body, history, x, y, timeUs, polarity);
+        return plane.support(x, y, timeUs, polarity) >= plane.threshold() ? lead < -CLEAR_LEAD
+            : lead < 0 && plane.contour().goesOnFrom(x, y, timeUs);
+    }
+
+    /** Whether an event on both contours is of the body. */
+    boolean yields(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
+        return lead(body, history, x, y, timeUs, polarity) > CLEAR_LEAD;
+    }
+
+    private double lead(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
+        return body.lead(x, y, timeUs, history.trace(x, y, timeUs, polarity, body.motion())
+            - history.trace(x, y, timeUs, polarity, plane.motion()));
+    }
+}
