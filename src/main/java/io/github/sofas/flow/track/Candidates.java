@@ -108,6 +108,7 @@ final class Candidates {
         }
         if (best != nearest) {
             support = best.support(x, y, timeUs, polarity);
+            isAppearing = support < best.threshold();
             if (!isAppearing) {
                 closeSupport = best.closeSupport(polarity);
             }
@@ -117,15 +118,11 @@ final class Candidates {
 
     /** The plane that has the event, or the ground that it moves before, or a body before it if that is the ground. */
     private TrackPlane beforeGround(PixelHistory history, int x, int y, long timeUs, int polarity) {
-        if (best != ground.plane()) {
-            if (!ground.isBehind(best) || !ground.has(best, history, x, y, timeUs, polarity)) {
-                return best;
-            }
-            isAppearing = ground.plane().support(x, y, timeUs, polarity) < ground.plane().threshold();
-            return ground.plane();
+        if (best == ground.plane()) {
+            TrackPlane body = farther(-1, best, history, x, y, timeUs, polarity);
+            return ground.yields(body, history, x, y, timeUs, polarity) ? body : best;
         }
-        TrackPlane body = size > 1 ? farther(-1, best, history, x, y, timeUs, polarity) : best;
-        return ground.isBehind(body) && ground.yields(body, history, x, y, timeUs, polarity) ? body : best;
+        return ground.has(best, history, x, y, timeUs, polarity) ? ground.plane() : best;
     }
 
     /**
@@ -139,22 +136,27 @@ final class Candidates {
     TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
                           int polarity) {
         TrackPlane its = byTrace(remembering, history, noise, x, y, timeUs, polarity);
-        TrackPlane appearing = history.isNearBorder(x, y) ? entering(history, x, y, timeUs) : null;
-        if (appearing != null && its != null && its != appearing
-                && history.trace(x, y, timeUs, polarity, its.motion()) >= SURE_TRACE) {
-            return its;
-        }
-        if (appearing == null && its != null && ground.isBehind(its)
-                && ground.has(its, history, x, y, timeUs, polarity)) {
-            appearing = ground.plane();
-        }
-        if (appearing == null || appearing == its) {
+        TrackPlane appearing = appearing(its, history, x, y, timeUs, polarity);
+        if (appearing == null) {
             return its;
         }
         isAppearing = true;
         // it is the event whose support was asked for last
         appearing.support(x, y, timeUs, polarity);
         return appearing;
+    }
+
+    /** The texture that comes into sight where another plane would have the event, or none; null for none. */
+    private TrackPlane appearing(TrackPlane other, PixelHistory history, int x, int y, long timeUs, int polarity) {
+        TrackPlane entering = history.isNearBorder(x, y) ? entering(history, x, y, timeUs) : null;
+        if (other == null) {
+            return entering;
+        }
+        if (entering != null) {
+            return other == entering || history.trace(x, y, timeUs, polarity, other.motion()) >= SURE_TRACE ? null
+                : entering;
+        }
+        return ground.has(other, history, x, y, timeUs, polarity) ? ground.plane() : null;
     }
 
     /** The widest of the textures that enter the picture at a place and go on from there; null for none. */

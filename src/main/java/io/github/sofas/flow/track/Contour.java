@@ -35,7 +35,7 @@ final class Contour {
     private static final double STEP_PX = 4;
     /** Breadth of what is wide, as a share of the sensor's shorter side: all of that has 0.29. */
     private static final double WIDE = 0.2;
-    /** Live events that threshold, centre and radius are measured from. */
+    /** Live events that threshold, centre, radius and breadth are measured from. */
     private static final int SAMPLE = 256;
 
     private final int sensorWidth;
@@ -294,7 +294,7 @@ final class Contour {
     }
 
     /**
-     * Measures threshold, centre and radius from some of the live events.
+     * Measures threshold, centre, radius and breadth from some of the live events.
      *
      * @param along the motion that the contour follows, with its reference at now
      * @param noiseSupport support that noise may have

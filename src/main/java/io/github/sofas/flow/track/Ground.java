@@ -32,21 +32,24 @@ final class Ground {
         return plane;
     }
 
-    /** Whether it lies behind the structure of a plane, as far as its size tells. */
-    boolean isBehind(TrackPlane body) {
-        return plane != null && plane != body && plane.contour().breadth() >= body.contour().radius();
-    }
-
-    /** Whether an event is of this rather than of a body before it whose contour or memory has it. */
+    /** Whether it is behind a body, and has an event that the body's contour or memory has. */
     boolean has(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
+        if (!isBehind(body)) {
+            return false;
+        }
         double lead = lead(body, history, x, y, timeUs, polarity);
         return plane.support(x, y, timeUs, polarity) >= plane.threshold() ? lead < -CLEAR_LEAD
             : lead < 0 && plane.contour().goesOnFrom(x, y, timeUs);
     }
 
-    /** Whether an event on both contours is of the body. */
+    /** Whether it is behind a body, and leaves that an event on both contours. */
     boolean yields(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
-        return lead(body, history, x, y, timeUs, polarity) > CLEAR_LEAD;
+        return isBehind(body) && lead(body, history, x, y, timeUs, polarity) > CLEAR_LEAD;
+    }
+
+    /** Whether it lies behind the structure of a plane, as far as its size tells. */
+    private boolean isBehind(TrackPlane body) {
+        return plane != null && plane != body && plane.contour().breadth() >= body.contour().radius();
     }
 
     private double lead(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
