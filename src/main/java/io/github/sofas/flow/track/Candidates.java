@@ -49,10 +49,17 @@ final class Candidates {
     private int support;
     private int closeSupport;
     private boolean isAppearing;
+    private final TracedEvent event;
     private final Ground ground = new Ground();
 
+    /** Makes one whose events' edges are traced by a history. */
+    Candidates(PixelHistory history) {
+        event = new TracedEvent(history);
+    }
+
     /** Begins with an event. */
-    void clear() {
+    void begin(int x, int y, long timeUs, int polarity) {
+        event.begin(x, y, timeUs, polarity);
         size = 0;
         best = null;
         isAppearing = false;
@@ -63,9 +70,9 @@ final class Candidates {
     }
 
     /** Considers a plane in whose box the event lies; it expects the event if that lies on its contour. */
-    void offer(TrackPlane plane, int x, int y, long timeUs, int polarity) {
+    void offer(TrackPlane plane) {
         ground.offer(plane);
-        int its = plane.support(x, y, timeUs, polarity);
+        int its = event.support(plane);
         if (its < plane.threshold()) {
             if (nearest == null) {
                 add(plane);
@@ -76,7 +83,7 @@ final class Candidates {
             size = 0;
         }
         add(plane);
-        int close = plane.closeSupport(polarity);
+        int close = plane.closeSupport(event.polarity);
         int score = close * CLOSE_WEIGHT + its;
         if (score > most) {
             second = most;
@@ -97,32 +104,32 @@ final class Candidates {
     }
 
     /** The plane that the event belongs to; null where none expects it. */
-    TrackPlane best(PixelHistory history, int x, int y, long timeUs, int polarity) {
+    TrackPlane best() {
         best = nearest;
         if (nearest != null && size > 1) {
-            int trace = history.trace(x, y, timeUs, polarity, nearest.motion());
-            best = farther(trace + PixelHistory.ON_THE_PIXEL, nearest, history, x, y, timeUs, polarity);
+            best = farther(event.trace(nearest) + PixelHistory.ON_THE_PIXEL, nearest);
         }
         if (best != null) {
-            best = beforeGround(history, x, y, timeUs, polarity);
+            best = beforeGround();
         }
         if (best != nearest) {
-            support = best.support(x, y, timeUs, polarity);
+            support = event.support(best);
             isAppearing = support < best.threshold();
             if (!isAppearing) {
-                closeSupport = best.closeSupport(polarity);
+                closeSupport = best.closeSupport(event.polarity);
             }
         }
         return best;
     }
 
     /** The plane that has the event, or the ground that it moves before, or a body before it if that is the ground. */
-    private TrackPlane beforeGround(PixelHistory history, int x, int y, long timeUs, int polarity) {
+    private TrackPlane beforeGround() {
         if (best == ground.plane()) {
-            TrackPlane body = farther(-1, best, history, x, y, timeUs, polarity);
-            return ground.yields(body, history, x, y, timeUs, polarity) ? body : best;
+            // the only other one needs no trace
+            TrackPlane body = size == 2 ? planes[planes[0] == best ? 1 : 0] : farther(-1, best);
+            return ground.yields(body, event) ? body : best;
         }
-        return ground.has(best, history, x, y, timeUs, polarity) ? ground.plane() : best;
+        return ground.has(best, event) ? ground.plane() : best;
     }
 
     /**
@@ -133,39 +140,38 @@ final class Candidates {
      * @param noise how many noise events a pixel gives of either polarity, per µs
      * @return null where its edge came along no motion, or no farther than noise would
      */
-    TrackPlane unexpected(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
-                          int polarity) {
-        TrackPlane its = byTrace(remembering, history, noise, x, y, timeUs, polarity);
-        TrackPlane appearing = appearing(its, history, x, y, timeUs, polarity);
+    TrackPlane unexpected(TrackPlane remembering, double noise) {
+        TrackPlane its = byTrace(remembering, noise);
+        TrackPlane appearing = appearing(its);
         if (appearing == null) {
             return its;
         }
         isAppearing = true;
         // it is the event whose support was asked for last
-        appearing.support(x, y, timeUs, polarity);
+        event.support(appearing);
         return appearing;
     }
 
     /** The texture that comes into sight where another plane would have the event, or none; null for none. */
-    private TrackPlane appearing(TrackPlane other, PixelHistory history, int x, int y, long timeUs, int polarity) {
-        TrackPlane entering = history.isNearBorder(x, y) ? entering(history, x, y, timeUs) : null;
+    private TrackPlane appearing(TrackPlane other) {
+        TrackPlane entering = event.isNearBorder() ? entering() : null;
         if (other == null) {
             return entering;
         }
         if (entering != null) {
-            return other == entering || history.trace(x, y, timeUs, polarity, other.motion()) >= SURE_TRACE ? null
-                : entering;
+            return other == entering || event.trace(other) >= SURE_TRACE ? null : entering;
         }
-        return ground.has(other, history, x, y, timeUs, polarity) ? ground.plane() : null;
+        return ground.has(other, event) ? ground.plane() : null;
     }
 
     /** The widest of the textures that enter the picture at a place and go on from there; null for none. */
-    private TrackPlane entering(PixelHistory history, int x, int y, long timeUs) {
+    private TrackPlane entering() {
         TrackPlane widest = null;
         for (int i = 0; i < size; i++) {
             Contour its = planes[i].contour();
-            if (planes[i].liveEvents() >= LEAST_OF_TEXTURE && history.cameIn(x, y, timeUs, planes[i].motion())
-                    && its.goesOnFrom(x, y, timeUs) && (widest == null || its.extent() > widest.contour().extent())) {
+            if (planes[i].liveEvents() >= LEAST_OF_TEXTURE && event.cameIn(planes[i])
+                    && its.goesOnFrom(event.x, event.y, event.timeUs)
+                    && (widest == null || its.extent() > widest.contour().extent())) {
                 widest = planes[i];
             }
         }
@@ -173,25 +179,24 @@ final class Candidates {
     }
 
     /** The plane along whose motion the edge came, or that remembers its place. */
-    private TrackPlane byTrace(TrackPlane remembering, PixelHistory history, double noise, int x, int y, long timeUs,
-                               int polarity) {
-        int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS, x, y, timeUs);
-        if (!isOfferedBeside(remembering) && (least < DARK_TRACE || remembering.isBent(x, y, timeUs))) {
+    private TrackPlane byTrace(TrackPlane remembering, double noise) {
+        int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS);
+        if (!isOfferedBeside(remembering)
+                && (least < DARK_TRACE || remembering.isBent(event.x, event.y, event.timeUs))) {
             return remembering;
         }
-        int trace = remembering == null ? 0 : history.trace(x, y, timeUs, polarity, remembering.motion());
-        TrackPlane its = farther(trace + CLEAR_TRACE, remembering, history, x, y, timeUs, polarity);
+        int trace = remembering == null ? 0 : event.trace(remembering);
+        TrackPlane its = farther(trace + CLEAR_TRACE, remembering);
         if (its == remembering) {
             return trace < Math.max(LEAST_TRACE, least) ? null : its;
         }
-        int leastOfOther = noiseTrace(its, noise, OTHER_SIGMAS, x, y, timeUs);
-        return trace + CLEAR_TRACE >= leastOfOther
-            || history.trace(x, y, timeUs, polarity, its.motion()) >= leastOfOther ? its : null;
+        int leastOfOther = noiseTrace(its, noise, OTHER_SIGMAS);
+        return trace + CLEAR_TRACE >= leastOfOther || event.trace(its) >= leastOfOther ? its : null;
     }
 
-    private static int noiseTrace(TrackPlane plane, double noise, double sigmas, int x, int y, long timeUs) {
-        double vx = plane.motion().vxAt(x, y, timeUs);
-        double vy = plane.motion().vyAt(x, y, timeUs);
+    private int noiseTrace(TrackPlane plane, double noise, double sigmas) {
+        double vx = plane.motion().vxAt(event.x, event.y, event.timeUs);
+        double vy = plane.motion().vyAt(event.x, event.y, event.timeUs);
         return Noise.trace(noise, Math.sqrt(vx * vx + vy * vy), sigmas);
     }
 
@@ -200,13 +205,12 @@ final class Candidates {
     }
 
     /** The plane along whose motion the edge came farthest, if by more than a trace; else the one that is known. */
-    private TrackPlane farther(int trace, TrackPlane known, PixelHistory history, int x, int y, long timeUs,
-                               int polarity) {
+    private TrackPlane farther(int trace, TrackPlane known) {
         int farthest = trace;
         TrackPlane its = known;
         for (int i = 0; i < size; i++) {
             if (planes[i] != known) {
-                int other = history.traceBeyond(farthest, x, y, timeUs, polarity, planes[i].motion());
+                int other = event.traceBeyond(farthest, planes[i]);
                 if (other > farthest) {
                     farthest = other;
                     its = planes[i];

@@ -37,6 +37,7 @@ final class ContourMemory {
     private final int[] seen;
     /** Lead of every 2 x 2 cells. */
     private final float[] lead;
+    private int leadPlace;
     private final Motion motion = new Motion();
     // the origin of the structure's coordinates at the motion's reference
     private double originX;
@@ -215,15 +216,20 @@ final class ContourMemory {
     }
 
     /**
-     * Takes in how much farther the edge of an event came along the structure's motion than along that of what lies
-     * behind, as traces; returns the mean of that at its place over the last events there, 0 of a place that is new.
+     * How much farther edges came at the place of an event along the structure's motion than along that of what lies
+     * behind, as traces: the mean over the last events there; 0 of a place that is new.
      */
-    double lead(int x, int y, long timeUs, int farther) {
+    double lead(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
         int cx = (int) Math.floor(cellX) & maskX;
         int cy = (int) Math.floor(cellY) & maskY;
-        int place = cy >> 1 << columnBits - 1 | cx >> 1;
-        lead[place] += (farther - lead[place]) / LEAD_EVENTS;
-        return lead[place];
+        leadPlace = cy >> 1 << columnBits - 1 | cx >> 1;
+        return lead[leadPlace];
+    }
+
+    /** Takes in that of the event whose place was asked for last, as of so many; returns the mean from then on. */
+    double takeLead(int farther, int events) {
+        lead[leadPlace] += (farther - lead[leadPlace]) * events / LEAD_EVENTS;
+        return lead[leadPlace];
     }
 }

@@ -12,6 +12,8 @@ package io.github.sofas.flow.track;
 final class Ground {
     /** Lead that gives a body or the wall what both contours expect, whatever the event's own trace. */
     private static final double CLEAR_LEAD = PixelHistory.ON_THE_PIXEL;
+    /** Of a place that is the body's so clearly, one event in so many is traced: most of a body's places are. */
+    private static final int CLEAR_STRIDE = 4;
 
     private TrackPlane plane;
 
@@ -33,18 +35,18 @@ final class Ground {
     }
 
     /** Whether it is behind a body, and has an event that the body's contour or memory has. */
-    boolean has(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
+    boolean has(TrackPlane body, TracedEvent event) {
         if (!isBehind(body)) {
             return false;
         }
-        double lead = lead(body, history, x, y, timeUs, polarity);
-        return plane.support(x, y, timeUs, polarity) >= plane.threshold() ? lead < -CLEAR_LEAD
-            : lead < 0 && plane.contour().goesOnFrom(x, y, timeUs);
+        double lead = lead(body, event);
+        return event.support(plane) >= plane.threshold() ? lead < -CLEAR_LEAD
+            : lead < 0 && plane.contour().goesOnFrom(event.x, event.y, event.timeUs);
     }
 
     /** Whether it is behind a body, and leaves that an event on both contours. */
-    boolean yields(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
-        return isBehind(body) && lead(body, history, x, y, timeUs, polarity) > CLEAR_LEAD;
+    boolean yields(TrackPlane body, TracedEvent event) {
+        return isBehind(body) && lead(body, event) > CLEAR_LEAD;
     }
 
     /** Whether it lies behind the structure of a plane, as far as its size tells. */
@@ -52,8 +54,9 @@ final class Ground {
         return plane != null && plane != body && plane.contour().breadth() >= body.contour().radius();
     }
 
-    private double lead(TrackPlane body, PixelHistory history, int x, int y, long timeUs, int polarity) {
-        return body.lead(x, y, timeUs, history.trace(x, y, timeUs, polarity, body.motion())
-            - history.trace(x, y, timeUs, polarity, plane.motion()));
+    private double lead(TrackPlane body, TracedEvent event) {
+        double lead = body.lead(event.x, event.y, event.timeUs);
+        int stride = lead > CLEAR_LEAD ? CLEAR_STRIDE : 1;
+        return event.isOneIn(stride) ? body.takeLead(event.trace(body) - event.trace(plane), stride) : lead;
     }
 }

@@ -203,9 +203,14 @@ public final class TrackPlane {
         return memory.remembered(x, y, timeUs);
     }
 
-    /** Takes in how much farther an edge came along its motion than another's; returns the mean of that there. */
-    double lead(int x, int y, long timeUs, int farther) {
-        return memory.lead(x, y, timeUs, farther);
+    /** How much farther edges came of late at the place of an event along its motion than along another's. */
+    double lead(int x, int y, long timeUs) {
+        return memory.lead(x, y, timeUs);
+    }
+
+    /** Takes in that of the event whose place was asked for last, as of so many; returns the mean from then on. */
+    double takeLead(int farther, int events) {
+        return memory.takeLead(farther, events);
     }
 
     /**

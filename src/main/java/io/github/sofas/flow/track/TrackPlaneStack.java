@@ -43,7 +43,7 @@ public final class TrackPlaneStack {
     private final PixelHistory history;
     private final Bursts bursts;
     private final NoiseRate noise;
-    private final Candidates candidates = new Candidates();
+    private final Candidates candidates;
     private final Reaches reaches = new Reaches();
     private int size;
     private int nextId = 1;
@@ -65,6 +65,7 @@ public final class TrackPlaneStack {
         taken = new TakenOver(tiled);
         doubts = new Doubts(sensor);
         history = new PixelHistory(sensor);
+        candidates = new Candidates(history);
         bursts = new Bursts(sensor);
         noise = new NoiseRate(sensor);
         planes = new TrackPlane[p.maxTrackPlanes()];
@@ -87,22 +88,22 @@ public final class TrackPlaneStack {
      * @return whether the event is explained; if not, it may be one of a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
-        candidates.clear();
+        candidates.begin(x, y, timeUs, polarity);
         if (!reaches.tell(timeUs)) {
             reaches.take(planes, size, timeUs, timeUs + CHECK_US);
         }
         long event = Reaches.event(x, y);
         for (int k = 0; k < size; k++) {
             if (reaches.hold(k, event)) {
-                candidates.offer(planes[k], x, y, timeUs, polarity);
+                candidates.offer(planes[k]);
             }
         }
-        TrackPlane best = candidates.best(history, x, y, timeUs, polarity);
+        TrackPlane best = candidates.best();
         boolean isExpected = best != null;
         if (!isExpected) {
             best = remembering(x, y, timeUs);
             if (keepsHistory()) {
-                best = candidates.unexpected(best, history, noise.perUs(), x, y, timeUs, polarity);
+                best = candidates.unexpected(best, noise.perUs());
             }
         }
         boolean isDoubtful;

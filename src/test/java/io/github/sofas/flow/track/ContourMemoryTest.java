@@ -207,11 +207,13 @@ public class ContourMemoryTest {
     @Test
     public void leadOfAPlaceIsTheMeanOverItsLastEvents() {
         ContourMemory shape = edge(motion(0, 40, -20, 0));
-        assertEquals("a 64th of it, for nothing was known", 1, shape.lead(50, 30, 0, 64), 1e-6);
-        assertEquals("another place", 0, shape.lead(54, 30, 0, 0), 1e-6);
+        assertEquals("of a place that is new", 0, shape.lead(50, 30, 0), 1e-6);
+        assertEquals("a 64th of it", 1, shape.takeLead(64, 1), 1e-6);
+        assertEquals("another place", 0, shape.lead(54, 30, 0), 1e-6);
         shape.follow(motion(500_000, 40, -20, 0), 1_000_000);
-        assertEquals("1 + (65 - 1) / 64", 2, shape.lead(70, 20, 500_000, 65), 1e-6);
+        assertEquals("the same place, later", 1, shape.lead(70, 20, 500_000), 1e-6);
+        assertEquals("as of four events: 1 + (17 - 1) / 16", 2, shape.takeLead(17, 4), 1e-6);
         shape.start(motion(500_000, 40, -20, 0));
-        assertEquals("begun anew", 0, shape.lead(70, 20, 500_000, 0), 1e-6);
+        assertEquals("begun anew", 0, shape.lead(70, 20, 500_000), 1e-6);
     }
 }
