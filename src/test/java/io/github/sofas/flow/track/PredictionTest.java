@@ -31,10 +31,10 @@ public class PredictionTest {
     }
 
     @Test
-    public void holdsWhileEventsMeetNoLessThanAtRest() {
-        judge(400, 400, SPEED, 10_000);
+    public void holdsWhileEventsMeetByATenthMoreThanAtRest() {
+        judge(441, 400, SPEED, 10_000);
         assertTrue(prediction.holds());
-        judge(399, 400, SPEED, 10_000);
+        judge(439, 400, SPEED, 10_000);
         assertFalse(prediction.holds());
     }
 
