@@ -194,12 +194,12 @@ final class Measurement {
             return;
         }
         double atRest = fit.metric();
-        if (along < atRest) {
+        if (along <= Math.max(0, atRest)) {
             // along the motion as it is now, which the measurement has improved
             load(motion, live, radius, fit);
             along = Math.max(along, fit.metric());
         }
-        prediction.judge(along, atRest, motion.speed(radius), nowUs - live.oldestUs(), nowUs);
+        prediction.judge(along, atRest, fit.size(), motion.speed(radius), nowUs - live.oldestUs(), nowUs);
     }
 
     /** Fits the velocity: by all nine projections, by the slopes of what is steady, or by the five nearest. */

@@ -8,10 +8,13 @@ package io.github.sofas.flow.track;
  *
  * <p>Measuring climbs to the best of many velocities, so that along a motion that is none events meet a little more
  * often than at rest: by a tenth or a fifth where a light trembles or flickers. Of structures it is by a half and more.
+ * Where only noise comes, but much of it from a small part of the sensor, they meet no more than by chance either way.
  */
 final class Prediction {
     /** Metric along a motion that predicts the events, as a multiple of that at rest, at least. */
     private static final double PREDICTS = 1.1;
+    /** Metric per event along it, at least: one of a hundred measurements of structures has less than 0.2, noise 0. */
+    private static final double LEAST_DENSITY = 0.1;
     /** Travel over the window below which both are as good, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
     /** Standard deviations by which events that are sharper at rest refute it: a metric of m has one of sqrt(m). */
@@ -37,7 +40,7 @@ final class Prediction {
         sureUntilUs = Long.MIN_VALUE;
     }
 
-    /** Whether the events meet more along the motion than at rest; else it tells nothing of them for now. */
+    /** Whether the events meet along the motion, and more than at rest; else it tells nothing of them for now. */
     boolean holds() {
         return holds;
     }
@@ -52,11 +55,13 @@ final class Prediction {
      *
      * @param along metric of the live events moved along the motion
      * @param atRest metric of the same events where they are
+     * @param events how many there are
      * @param speed of the motion in px/s
      * @param windowUs time that the live events span
      */
-    void judge(double along, double atRest, double speed, long windowUs, long nowUs) {
-        holds = along >= PREDICTS * atRest || speed * windowUs * 1e-6 <= LEAST_TRAVEL_PX;
+    void judge(double along, double atRest, int events, double speed, long windowUs, long nowUs) {
+        holds = along >= LEAST_DENSITY * events
+            && (along >= PREDICTS * atRest || speed * windowUs * 1e-6 <= LEAST_TRAVEL_PX);
         if (holds) {
             wrongPx = 0;
         } else if (atRest - along > WRONG_SIGMAS * Math.sqrt(atRest) && judgedUs != 0) {

@@ -20,8 +20,12 @@ public class PredictionTest {
     }
 
     private void judge(double along, double atRest, double speed, long afterUs) {
+        judge(along, atRest, 100, speed, afterUs);
+    }
+
+    private void judge(double along, double atRest, int events, double speed, long afterUs) {
         nowUs += afterUs;
-        prediction.judge(along, atRest, speed, WINDOW_US, nowUs);
+        prediction.judge(along, atRest, events, speed, WINDOW_US, nowUs);
     }
 
     @Test
@@ -35,6 +39,15 @@ public class PredictionTest {
         judge(441, 400, SPEED, 10_000);
         assertTrue(prediction.holds());
         judge(439, 400, SPEED, 10_000);
+        assertFalse(prediction.holds());
+    }
+
+    @Test
+    public void holdsWhileEventsMeetMoreThanByChance() {
+        // at rest less than by chance, as those of noise from a small part of the sensor
+        judge(100, -50, 1000, SPEED, 10_000);
+        assertTrue(prediction.holds());
+        judge(99, -50, 1000, SPEED, 10_000);
         assertFalse(prediction.holds());
     }
 
