@@ -17,7 +17,7 @@ final class Prediction {
     private static final double LEAST_DENSITY = 0.1;
     /** Travel over the window below which both are as good, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
-    /** Standard deviations by which events that are sharper at rest refute it: a metric of m has one of sqrt(m). */
+    /** Standard deviations that may be chance: a metric of m, or one of m events by chance, has sqrt(m). */
     private static final double WRONG_SIGMAS = 1;
     /** Travel against the events after which there is no structure that moves like this, in px. */
     private static final double WRONG_PX = 5;
@@ -60,8 +60,8 @@ final class Prediction {
      * @param windowUs time that the live events span
      */
     void judge(double along, double atRest, int events, double speed, long windowUs, long nowUs) {
-        holds = along >= LEAST_DENSITY * events
-            && (along >= PREDICTS * atRest || speed * windowUs * 1e-6 <= LEAST_TRAVEL_PX);
+        boolean meets = along >= LEAST_DENSITY * events - WRONG_SIGMAS * Math.sqrt(events);
+        holds = meets && (along >= PREDICTS * atRest || speed * windowUs * 1e-6 <= LEAST_TRAVEL_PX);
         if (holds) {
             wrongPx = 0;
         } else if (atRest - along > WRONG_SIGMAS * Math.sqrt(atRest) && judgedUs != 0) {

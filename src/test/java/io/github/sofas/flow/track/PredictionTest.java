@@ -45,10 +45,14 @@ public class PredictionTest {
     @Test
     public void holdsWhileEventsMeetMoreThanByChance() {
         // at rest less than by chance, as those of noise from a small part of the sensor
-        judge(100, -50, 1000, SPEED, 10_000);
-        assertTrue(prediction.holds());
-        judge(99, -50, 1000, SPEED, 10_000);
+        judge(20, -50, 400, SPEED, 10_000);
+        assertTrue("a tenth of 400, less a standard deviation, sqrt(400)", prediction.holds());
+        judge(19, -50, 400, SPEED, 10_000);
         assertFalse(prediction.holds());
+        judge(19, -50, 400, 1, 10_000);
+        assertFalse("at any speed", prediction.holds());
+        judge(0, -50, 100, SPEED, 10_000);
+        assertTrue("so few events tell nothing", prediction.holds());
     }
 
     @Test
