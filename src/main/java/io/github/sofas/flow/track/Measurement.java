@@ -195,7 +195,7 @@ final class Measurement {
         }
         double atRest = fit.metric();
         if (along <= Math.max(0, atRest)) {
-            // along the motion as it is now, which the measurement has improved
+            // not known, or less than along the motion as it is now, which the measurement has improved
             load(motion, live, radius, fit);
             along = Math.max(along, fit.metric());
         }

@@ -3,8 +3,8 @@ package io.github.sofas.flow.track;
 import java.util.Arrays;
 
 /**
- * The event that is being labelled, and how far its edge came along the motions of planes: each is asked for once, for
- * a trace takes as long as all the contours around an event. Ours, as {@link PixelHistory} is.
+ * The event that is being labelled, and how far its edge came along the motions of planes. Each is asked for once: a
+ * trace looks at up to four pixels for every px of travel. Ours, as {@link PixelHistory} is.
  */
 final class TracedEvent {
     private final PixelHistory history;
@@ -40,7 +40,7 @@ final class TracedEvent {
         return traceBeyond(-1, plane);
     }
 
-    /** The same, if it is more than a trace that is known; else no more than that, or the same. */
+    /** The same, if it is more than a trace that is known; else any that is no more than it. */
     int traceBeyond(int known, TrackPlane plane) {
         for (int i = 0; i < size; i++) {
             if (planes[i] == plane) {
