@@ -195,7 +195,7 @@ final class Measurement {
         }
         double atRest = fit.metric();
         if (along <= Math.max(0, atRest)) {
-            // not known, or less than along the motion as it is now, which the measurement has improved
+            // along the motion as it is now, which the measurement has improved; a metric of 0 is one not known
             load(motion, live, radius, fit);
             along = Math.max(along, fit.metric());
         }

@@ -5,8 +5,8 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * When the last events of each pixel were, ON and OFF apart. From them {@link #trace} tells whether an edge came along
- * a motion.
+ * When the last events of each pixel were, ON and OFF apart. From them {@link #traceBeyond} tells whether an
+ * edge came along a motion.
  *
  * <p>Ours, because contours do not tell structures apart that overlap: each has what its plane was given before. Where
  * the events of late were is the same whatever they were taken for.
@@ -116,12 +116,9 @@ final class PixelHistory {
      * How far an edge that fires now came along a motion: a px of travel counts {@value #ON_THE_PIXEL} where an event
      * of its polarity was on the very pixel when the edge must have been there, and 1 where one was on a pixel beside
      * it; 0 to 24.
+     *
+     * @param known trace that it is to be more than, -1 for any; of one that is no more, any that is no more is told
      */
-    int trace(int x, int y, long timeUs, int polarity, Motion motion) {
-        return traceBeyond(-1, x, y, timeUs, polarity, motion);
-    }
-
-    /** The same, if it is more than a trace that is known; else no more than that. */
     int traceBeyond(int known, int x, int y, long timeUs, int polarity, Motion motion) {
         double vx = motion.vxAt(x, y, timeUs);
         double vy = motion.vyAt(x, y, timeUs);

@@ -18,7 +18,7 @@ final class Prediction {
     /** Travel over the window below which both are as good, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
     /** Standard deviations that may be chance: a metric of m, or one of m events by chance, has sqrt(m). */
-    private static final double WRONG_SIGMAS = 1;
+    private static final double CHANCE_SIGMAS = 1;
     /** Travel against the events after which there is no structure that moves like this, in px. */
     private static final double WRONG_PX = 5;
 
@@ -60,11 +60,11 @@ final class Prediction {
      * @param windowUs time that the live events span
      */
     void judge(double along, double atRest, int events, double speed, long windowUs, long nowUs) {
-        boolean meets = along >= LEAST_DENSITY * events - WRONG_SIGMAS * Math.sqrt(events);
+        boolean meets = along >= LEAST_DENSITY * events - CHANCE_SIGMAS * Math.sqrt(events);
         holds = meets && (along >= PREDICTS * atRest || speed * windowUs * 1e-6 <= LEAST_TRAVEL_PX);
         if (holds) {
             wrongPx = 0;
-        } else if (atRest - along > WRONG_SIGMAS * Math.sqrt(atRest) && judgedUs != 0) {
+        } else if (atRest - along > CHANCE_SIGMAS * Math.sqrt(atRest) && judgedUs != 0) {
             wrongPx += speed * (nowUs - judgedUs) * 1e-6;
         }
         judgedUs = nowUs;

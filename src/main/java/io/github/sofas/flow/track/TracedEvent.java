@@ -35,7 +35,7 @@ final class TracedEvent {
         return (x ^ y ^ timeUs) % many == 0;
     }
 
-    /** How far its edge came along the motion of a plane, as {@link PixelHistory#trace}. */
+    /** How far its edge came along the motion of a plane, as {@link PixelHistory#traceBeyond}. */
     int trace(TrackPlane plane) {
         return traceBeyond(-1, plane);
     }

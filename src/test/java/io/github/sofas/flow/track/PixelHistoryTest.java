@@ -23,7 +23,11 @@ public class PixelHistoryTest {
     }
 
     private int trace(double vx, double vy) {
-        return history.trace(X, Y, NOW_US, 1, motion(vx, vy));
+        return trace(X, Y, NOW_US, 1, motion(vx, vy));
+    }
+
+    private int trace(int x, int y, long timeUs, int polarity, Motion motion) {
+        return history.traceBeyond(-1, x, y, timeUs, polarity, motion);
     }
 
     /** An edge that entered each of so many columns before the event's, 10 ms apart. */
@@ -93,7 +97,7 @@ public class PixelHistoryTest {
     public void otherPolarityDoesNotCount() {
         edge(8, Y, -1);
         assertEquals(0, trace(100, 0));
-        assertEquals(24, history.trace(X, Y, NOW_US, -1, motion(100, 0)));
+        assertEquals(24, trace(X, Y, NOW_US, -1, motion(100, 0)));
     }
 
     @Test
@@ -141,14 +145,14 @@ public class PixelHistoryTest {
         motion.centreY = Y + 50;
         motion.omega = 2;
         // 50 px above the centre, 2 rad/s: 100 px/s to the right
-        assertEquals(24, history.trace(X, Y, NOW_US, 1, motion));
+        assertEquals(24, trace(X, Y, NOW_US, 1, motion));
     }
 
     @Test
     public void edgesAtTheBorderComeFromWhereThereIsNone() {
         history.note(0, Y, NOW_US - 10_000, 1);
-        assertEquals(3, history.trace(1, Y, NOW_US, 1, motion(100, 0)));
-        assertEquals(0, history.trace(63, 47, NOW_US, 1, motion(-100, -100)));
+        assertEquals(3, trace(1, Y, NOW_US, 1, motion(100, 0)));
+        assertEquals(0, trace(63, 47, NOW_US, 1, motion(-100, -100)));
     }
 
     @Test
@@ -167,9 +171,9 @@ public class PixelHistoryTest {
         assertEquals(24, trace(100, 0));
         long nextUs = NOW_US + (1L << 40);
         history.note(0, 0, nextUs, 1);
-        assertEquals(0, history.trace(X, Y, nextUs, 1, motion(100, 0)));
+        assertEquals(0, trace(X, Y, nextUs, 1, motion(100, 0)));
         history.note(X - 1, Y, nextUs + 10_000, 1);
-        assertEquals(3, history.trace(X, Y, nextUs + 20_000, 1, motion(100, 0)));
+        assertEquals(3, trace(X, Y, nextUs + 20_000, 1, motion(100, 0)));
     }
 
     @Test
