@@ -28,6 +28,25 @@ public final class Bounds {
         bottom = Math.max(bottom, y);
     }
 
+    /** Makes it a box that is known. */
+    public void set(double toLeft, double toTop, double toRight, double toBottom) {
+        left = toLeft;
+        top = toTop;
+        right = toRight;
+        bottom = toBottom;
+    }
+
+    /** Whether it holds a place, or lies beside it by so many px along either axis at most. */
+    public boolean isAround(double x, double y, double marginPx) {
+        return x >= left - marginPx && x <= right + marginPx && y >= top - marginPx && y <= bottom + marginPx;
+    }
+
+    /** Whether it and another lie no farther apart than a gap in px, along both axes. */
+    public boolean isWithin(double gapPx, Bounds other) {
+        return left <= other.right + gapPx && other.left <= right + gapPx
+            && top <= other.bottom + gapPx && other.top <= bottom + gapPx;
+    }
+
     /** Least x of the places. */
     public double left() {
         return left;

@@ -56,11 +56,6 @@ public final class Recognition {
         public Bounds box() {
             return box;
         }
-
-        private boolean isAround(double x, double y) {
-            return x >= box.left() - GAP_PX && x <= box.right() + GAP_PX && y >= box.top() - GAP_PX
-                && y <= box.bottom() + GAP_PX;
-        }
     }
 
     Recognition(Structures structures, FlowPlaneEvents events) {
@@ -120,7 +115,7 @@ public final class Recognition {
         for (int i = 0; i < knownSize; i++) {
             Known its = known.get(i);
             if (its.size >= (long) LEAST_TIMES * size
-                    && its.isAround(x + refined.vx() * half, y + refined.vy() * half)) {
+                    && its.box.isAround(x + refined.vx() * half, y + refined.vy() * half, GAP_PX)) {
                 double lost =
                     refined.shareLost(its.motion.vxAt(x, y, middleUs), its.motion.vyAt(x, y, middleUs));
                 if (lost < least) {

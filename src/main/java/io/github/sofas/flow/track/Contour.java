@@ -13,20 +13,12 @@ import io.github.sofas.flow.motion.SteppedProjection;
  * <p>Ours: events are let go by sixteenths of the time for which they are held, mostly the lifetime, instead of one by
  * one, and stay where they are when the motion is known a little better. So a label costs the same at any density, and
  * all else is paid per travel.
- *
- * <p>Longer than other classes, because drawing, anchoring and measuring it share frame and cells.
  */
 final class Contour {
-    /** Support of two sixteenths: less never puts an event on the contour. */
-    private static final int LEAST_SUPPORT = 4;
     /** Departure of the frame from the sensor at which it is anchored anew, in px; less than the margin. */
     private static final double FARTHEST_PX = 12;
     /** Least shift over the lifetime by a correction of the motion for the contour to be drawn anew, in px. */
     static final double REDRAWN_PX = 0.5;
-    /** Share of the mean support that puts an event on the contour: one a pixel wide loses events to jitter. */
-    private static final double SHARE = 0.25;
-    /** Share of the mean close support below which it is doubtful whether an event is of the structure. */
-    private static final double SURE_SHARE = 0.6;
     /** Room around the box that the contour does not leave, for the frame's steps and for what is rounded, in px. */
     private static final double REACH_ROOM_PX = 1;
     /** Distance from the border of the sensor within which the contour may be cut off by it, in px. */
@@ -35,8 +27,6 @@ final class Contour {
     private static final double STEP_PX = 4;
     /** Breadth of what is wide, as a share of the sensor's shorter side: all of that has 0.29. */
     private static final double WIDE = 0.2;
-    /** Live events that threshold, centre, radius and breadth are measured from. */
-    private static final int SAMPLE = 256;
 
     private final int sensorWidth;
     private final int sensorHeight;
@@ -52,12 +42,8 @@ final class Contour {
     /** Whether events of either polarity are expected where those of one were seen. */
     private boolean expectsEither;
 
-    private int threshold;
-    private double sureSupport;
-    private double centreX;
-    private double centreY;
-    private double radius;
-    private double breadth;
+    private final ContourFigures figures = new ContourFigures();
+    private final Bounds box = new Bounds();
     private final Bounds reached = new Bounds();
     /** Whether it may lie elsewhere than was told last. */
     private boolean changedReach;
@@ -89,46 +75,41 @@ final class Contour {
         frame.anchor(along, 0);
         fadedUs = along.referenceUs;
         expectsEither = false;
-        threshold = LEAST_SUPPORT;
-        sureSupport = Double.MAX_VALUE;
-        centreX = 0;
-        centreY = 0;
-        radius = 0;
-        breadth = 0;
+        figures.start();
     }
 
     /** Least support that puts an event on the contour. */
     int threshold() {
-        return threshold;
+        return figures.threshold();
     }
 
     /** Close support below which it is doubtful whether an event is of the structure. */
     double sureSupport() {
-        return sureSupport;
+        return figures.sureSupport();
     }
 
     /** Centre of the contour at the last {@link #measure}, x in px of the sensor. */
     double centreX() {
-        return centreX;
+        return figures.centreX();
     }
 
     double centreY() {
-        return centreY;
+        return figures.centreY();
     }
 
     /** Distance of the contour from its centre, root of the mean square, in px. */
     double radius() {
-        return radius;
+        return figures.radius();
     }
 
     /** Its standard deviation along the axis in which it is narrowest, in px: that of a square by 0.29 of its side. */
     double breadth() {
-        return breadth;
+        return figures.breadth();
     }
 
     /** Whether it fills the picture from side to side, as a wall does: no bar is as broad. */
     boolean isWide() {
-        return breadth >= WIDE * Math.min(sensorWidth, sensorHeight);
+        return breadth() >= WIDE * Math.min(sensorWidth, sensorHeight);
     }
 
     /** Expects events of either polarity where those of one were seen, or of that one alone. */
@@ -160,7 +141,7 @@ final class Contour {
 
     /** Whether an event of either polarity would be on it. */
     private boolean isOn(int x, int y, long timeUs) {
-        return support(x, y, timeUs, 1) >= threshold || support(x, y, timeUs, -1) >= threshold;
+        return support(x, y, timeUs, 1) >= threshold() || support(x, y, timeUs, -1) >= threshold();
     }
 
     /**
@@ -232,7 +213,7 @@ final class Contour {
     /** Follows another motion from its reference on. */
     void follow(Motion along) {
         changedReach = true;
-        frame.follow(along, radius);
+        frame.follow(along, radius());
         if (!isEmpty() && (departurePx(cells.minX(), cells.minY()) > FARTHEST_PX
                 || departurePx(cells.maxX(), cells.maxY()) > FARTHEST_PX)) {
             anchor();
@@ -265,20 +246,20 @@ final class Contour {
     /** Takes over what was seen by another contour of the sensor, cell by cell; both follow a motion from then on. */
     void absorb(Contour other, Motion along) {
         changedReach = true;
-        frame.follow(along, radius);
-        other.frame.follow(along, other.radius);
+        frame.follow(along, radius());
+        other.frame.follow(along, other.radius());
         cells.absorb(other.cells, other.frame, frame);
     }
 
     /** Draws the contour anew from the live events, along a motion. */
     void draw(LiveEvents live, Motion along, long heldUs) {
         wipe();
-        frame.anchor(along, radius);
+        frame.anchor(along, radius());
         fadedUs = along.referenceUs;
         if (live.size() == 0) {
             return;
         }
-        past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
+        past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius(), 1.0 / 16);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             past.advance(live.timeUs[i]);
@@ -300,61 +281,12 @@ final class Contour {
      * @param noiseSupport support that noise may have
      */
     void measure(LiveEvents live, Motion along, int noiseSupport) {
-        int n = 0;
-        long support = 0;
-        long closeSupport = 0;
-        double sumX = 0;
-        double sumY = 0;
-        double squares = 0;
-        double sumXx = 0;
-        double sumXy = 0;
-        int stride = Math.max(1, live.size() / SAMPLE);
-        if (live.size() > 0) {
-            past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
-        }
-        for (int k = 0; k < live.size(); k += stride) {
-            int i = live.index(k);
-            past.advance(live.timeUs[i]);
-            double x = past.x(live.x[i], live.y[i]);
-            double y = past.y(live.x[i], live.y[i]);
-            double inFrameX = frame.fromReferenceX(x, y);
-            double inFrameY = frame.fromReferenceY(x, y);
-            int cx = ContourCells.cell(inFrameX);
-            int cy = ContourCells.cell(inFrameY);
-            if (!cells.isInBox(cx, cy)) {
-                continue;
-            }
-            int polarity = expected(live.sign[i]);
-            support += cells.support(cx, cy, polarity);
-            closeSupport += cells.closeSupport(ContourCells.firstOfTwo(inFrameX), ContourCells.firstOfTwo(inFrameY),
-                polarity);
-            sumX += x;
-            sumY += y;
-            squares += x * x + y * y;
-            sumXx += x * x;
-            sumXy += x * y;
-            n++;
-        }
-        if (n == 0) {
-            radius = 0;
-            breadth = 0;
-            return;
-        }
-        threshold = Math.max(Math.max(LEAST_SUPPORT, noiseSupport), (int) (SHARE * support / n));
-        sureSupport = SURE_SHARE * closeSupport / n;
-        centreX = sumX / n;
-        centreY = sumY / n;
-        radius = Math.sqrt(Math.max(0, squares / n - centreX * centreX - centreY * centreY));
-        double xx = sumXx / n - centreX * centreX;
-        double xy = sumXy / n - centreX * centreY;
-        // the smaller eigenvalue of the covariance, whose trace is the square of the radius
-        double difference = 2 * xx - radius * radius;
-        breadth = Math.sqrt(Math.max(0, 0.5 * (radius * radius - Math.sqrt(difference * difference + 4 * xy * xy))));
+        figures.measure(cells, frame, live, along, expectsEither, noiseSupport);
     }
 
     /** Whether an event of either polarity on an occupied cell is on the contour. */
     private boolean isContour(int cx, int cy) {
-        return cells.isOccupied(cx, cy) && cells.support(cx, cy, ContourCells.EITHER) >= threshold;
+        return cells.isOccupied(cx, cy) && cells.support(cx, cy, ContourCells.EITHER) >= threshold();
     }
 
     /** Shows the occupied cells that would put an event of either polarity on the contour, carried on to a time. */
@@ -376,21 +308,14 @@ final class Contour {
         }
     }
 
-    /** Side of the box at a time, in px; a column of the sensor, which it may leave. */
-    double left(long nowUs) {
-        return edgeX(cells.minX() + 1) + travelX(nowUs);
-    }
-
-    double right(long nowUs) {
-        return edgeX(cells.maxX() - 1) + travelX(nowUs);
-    }
-
-    double top(long nowUs) {
-        return edgeY(cells.minY() + 1) + travelY(nowUs);
-    }
-
-    double bottom(long nowUs) {
-        return edgeY(cells.maxY() - 1) + travelY(nowUs);
+    /** Its box at a time, in px of the sensor, which it may leave; until it is asked for again. Not of an empty one. */
+    Bounds box(long nowUs) {
+        Motion motion = frame.motion();
+        double travelX = motion.vx * (nowUs - motion.referenceUs) * 1e-6;
+        double travelY = motion.vy * (nowUs - motion.referenceUs) * 1e-6;
+        box.set(edgeX(cells.minX() + 1) + travelX, edgeY(cells.minY() + 1) + travelY,
+            edgeX(cells.maxX() - 1) + travelX, edgeY(cells.maxY() - 1) + travelY);
+        return box;
     }
 
     private double edgeX(int cx) {
@@ -401,30 +326,23 @@ final class Contour {
         return frame.toReferenceY((cells.minX() + cells.maxX()) / 2.0 - ContourCells.MARGIN, cy - ContourCells.MARGIN);
     }
 
-    private double travelX(long nowUs) {
-        return frame.motion().vx * (nowUs - frame.motion().referenceUs) * 1e-6;
-    }
-
-    private double travelY(long nowUs) {
-        return frame.motion().vy * (nowUs - frame.motion().referenceUs) * 1e-6;
-    }
-
     /** Whether its box and that of another contour lie no farther apart than a gap in px, along both axes. */
     boolean isWithin(double gap, Contour other, long nowUs) {
-        return left(nowUs) <= other.right(nowUs) + gap && other.left(nowUs) <= right(nowUs) + gap
-            && top(nowUs) <= other.bottom(nowUs) + gap && other.top(nowUs) <= bottom(nowUs) + gap;
+        return box(nowUs).isWithin(gap, other.box(nowUs));
     }
 
     /** Whether all of it lies within the sensor, and none so near the border that more may lie beyond. */
     boolean isInside(long nowUs) {
-        return !isEmpty() && left(nowUs) > BORDER_PX && top(nowUs) > BORDER_PX
-            && right(nowUs) < sensorWidth - 1 - BORDER_PX && bottom(nowUs) < sensorHeight - 1 - BORDER_PX;
+        box(nowUs);
+        return !isEmpty() && box.left() > BORDER_PX && box.top() > BORDER_PX
+            && box.right() < sensorWidth - 1 - BORDER_PX && box.bottom() < sensorHeight - 1 - BORDER_PX;
     }
 
     /** Whether all of it lies beyond the sensor. */
     boolean hasLeft(long nowUs) {
-        return !isEmpty() && (right(nowUs) < 0 || left(nowUs) >= sensorWidth || bottom(nowUs) < 0
-            || top(nowUs) >= sensorHeight);
+        box(nowUs);
+        return !isEmpty() && (box.right() < 0 || box.left() >= sensorWidth || box.bottom() < 0
+            || box.top() >= sensorHeight);
     }
 
     /** Whether no cell is occupied. */

@@ -55,8 +55,8 @@ final class Ground {
     }
 
     private double lead(TrackPlane body, TracedEvent event) {
-        double lead = body.lead(event.x, event.y, event.timeUs);
+        double lead = body.memory().lead(event.x, event.y, event.timeUs);
         int stride = lead > CLEAR_LEAD ? CLEAR_STRIDE : 1;
-        return event.isOneIn(stride) ? body.takeLead(event.trace(body) - event.trace(plane), stride) : lead;
+        return event.isOneIn(stride) ? body.memory().takeLead(event.trace(body) - event.trace(plane), stride) : lead;
     }
 }

@@ -18,12 +18,9 @@ import io.github.sofas.flow.motion.Motion;
  * and a growth, so that the velocity is that of now and not of the middle of the window.
  *
  * <p>What begins, follows, parts, merges and ends a structure is here in one place. What each of these does is in
- * {@link Recentring}, {@link MeasuredMotion}, {@link Contour}, {@link ContourMemory}, {@link Wholeness} and
- * {@link Life}.
+ * {@link Recentring}, {@link MeasuredMotion}, {@link Outline}, {@link Wholeness} and {@link Life}.
  */
 public final class TrackPlane {
-    /** Longest time for which the contour is remembered: what stands still would haunt its place. */
-    private static final long MAX_MEMORY_US = 2_000_000;
     /**
      * Part of its lifetime for which what gets too few events may move otherwise than was measured: so long a structure
      * takes to turn back.
@@ -33,13 +30,10 @@ public final class TrackPlane {
     private static final double KNOWN_SIGMAS = 1;
     /** Travel from which on the motion explains the events of another structure, in px. */
     private static final double TAKING_TRAVEL_PX = 6;
-    /** Part of the lifetime for which the contour holds events at least. */
-    private static final int CONTOUR_PART = 8;
 
     private final SensorSize sensor;
-    private SofasParameters.Track p;
+    private final Outline outline;
     private final Contour contour;
-    private final ContourMemory memory;
     private final Motion motion = new Motion();
     private final Motion before = new Motion();
     private final Turn turn = new Turn();
@@ -54,21 +48,17 @@ public final class TrackPlane {
     /** Whether it is waited for along a motion that was not measured. */
     private boolean adrift;
 
-    /** How many noise events a pixel gave of either polarity last, per µs. */
-    private double noisePerUs;
-
     TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
         this.sensor = sensor;
-        this.p = p;
-        contour = new Contour(sensor, spare);
-        memory = new ContourMemory(sensor.width(), sensor.height());
+        outline = new Outline(sensor, spare, p.memoryPx());
+        contour = outline.contour();
         recentring = new Recentring(p);
         measured = new MeasuredMotion(listener);
     }
 
     /** The most bytes that its arrays take. */
     static long mostBytes(SensorSize sensor) {
-        return Contour.bytes(sensor) + ContourMemory.bytes(sensor) + LiveEvents.BYTES;
+        return Outline.bytes(sensor) + LiveEvents.BYTES;
     }
 
     /**
@@ -78,13 +68,11 @@ public final class TrackPlane {
      */
     void start(long nowUs, double vx, double vy, double noise) {
         served++;
-        noisePerUs = noise;
         adrift = false;
         life.start(nowUs);
         measured.start(vx, vy);
         motion.set(nowUs, vx, vy);
-        contour.start(motion);
-        memory.start(motion);
+        outline.start(motion, noise);
         recentring.start(nowUs);
         recentring.followLifetime(motion, contour.radius());
         wholeness.start(nowUs);
@@ -193,24 +181,9 @@ public final class TrackPlane {
         return recentring.burstUs();
     }
 
-    /** Time for which the contour holds events: the lifetime, less where noise would fill it. */
-    private long contourUs() {
-        return Math.min(lifetimeUs(), Math.max(lifetimeUs() / CONTOUR_PART, Noise.mostUs(noisePerUs)));
-    }
-
-    /** How many of the cells around an event the structure was seen on not long ago; 0 where they are too few. */
-    int remembered(int x, int y, long timeUs) {
-        return memory.remembered(x, y, timeUs);
-    }
-
-    /** How much farther edges came of late at the place of an event along its motion than along another's. */
-    double lead(int x, int y, long timeUs) {
-        return memory.lead(x, y, timeUs);
-    }
-
-    /** Takes in that of the event whose place was asked for last, as of so many; returns the mean from then on. */
-    double takeLead(int farther, int events) {
-        return memory.takeLead(farther, events);
+    /** What it was seen as before. */
+    ContourMemory memory() {
+        return outline.memory();
     }
 
     /**
@@ -219,8 +192,7 @@ public final class TrackPlane {
      * @param beginsBurst whether it is the first event of a burst: no other is measured
      */
     void addPast(int x, int y, long timeUs, int polarity, boolean beginsBurst) {
-        contour.add(x, y, timeUs, polarity, Math.max(0, life.firstUs() - timeUs), contourUs());
-        int tile = memory.see(x, y, timeUs);
+        int tile = outline.see(x, y, timeUs, polarity, Math.max(0, life.firstUs() - timeUs), lifetimeUs());
         if (beginsBurst) {
             recentring.live().add(x, y, timeUs, polarity, Claim.OWN, tile);
         }
@@ -228,22 +200,17 @@ public final class TrackPlane {
 
     /** Notes an event of the past on the contour, as one where more are to come. */
     void see(int x, int y, long timeUs, int polarity, long nowUs) {
-        contour.add(x, y, timeUs, polarity, nowUs - timeUs, contourUs());
-        memory.see(x, y, timeUs);
+        outline.see(x, y, timeUs, polarity, nowUs - timeUs, lifetimeUs());
     }
 
     /** Whether a place of the sensor lies in the box of the contour, or beside it by so many px at most. */
     public boolean isAround(int x, int y, double marginPx, long nowUs) {
-        return !contour.isEmpty() && x >= contour.left(nowUs) - marginPx && x <= contour.right(nowUs) + marginPx
-            && y >= contour.top(nowUs) - marginPx && y <= contour.bottom(nowUs) + marginPx;
+        return outline.isAround(x, y, marginPx, nowUs);
     }
 
     /** Widens a box so that it holds the contour. */
     public void includeIn(Bounds box, long nowUs) {
-        if (!contour.isEmpty()) {
-            box.include(contour.left(nowUs), contour.top(nowUs));
-            box.include(contour.right(nowUs), contour.bottom(nowUs));
-        }
+        outline.includeIn(box, nowUs);
     }
 
     /**
@@ -257,14 +224,7 @@ public final class TrackPlane {
             // else it got no flow
             life.note(timeUs);
         }
-        int tile;
-        if (claim == Claim.REMEMBERED) {
-            contour.add(x, y, timeUs, polarity, 0, contourUs());
-            tile = memory.tile(x, y, timeUs);
-        } else {
-            contour.addLast(polarity);
-            tile = memory.see(x, y, timeUs);
-        }
+        int tile = outline.take(x, y, timeUs, polarity, claim, lifetimeUs());
         if (recentring.add(x, y, timeUs, polarity, claim, tile, bursts)) {
             recentre(fit, timeUs);
         }
@@ -298,10 +258,10 @@ public final class TrackPlane {
     /** Takes it to have come to rest: from then on it is waited for where it was. */
     private void rest(long sinceUs, long nowUs) {
         motion.moveReference(sinceUs);
-        memory.follow(motion, memoryUs());
+        outline.remember(motion);
         motion.set(sinceUs, 0, 0);
         contour.follow(motion);
-        memory.follow(motion, memoryUs());
+        outline.remember(motion);
         motion.moveReference(nowUs);
         recentring.comeToRest(motion, contour.radius());
     }
@@ -312,14 +272,12 @@ public final class TrackPlane {
      * @param noise how many noise events a pixel gives of either polarity, per µs
      */
     Life.State update(long nowUs, double noise) {
-        noisePerUs = noise;
         recentring.goOn(nowUs);
         turn.take(motion, nowUs);
-        contour.expectEither(turn.isNear(lifetimeUs()));
-        contour.fade(nowUs, contourUs());
+        outline.pass(nowUs, noise, turn.isNear(lifetimeUs()), lifetimeUs());
         recentring.followDensity(motion, contour.radius(), nowUs);
         Life.State state = life.goOn(recentring.isStarved(), recentring.measurement().isBlurred(),
-            !contour.hasLeft(nowUs), memoryUs(), nowUs);
+            !contour.hasLeft(nowUs), outline.memoryUs(motion), nowUs);
         adrift = life.isWaitedFor(lifetimeUs() / ADRIFT_PART, nowUs) && measured.isOther(motion);
         return state;
     }
@@ -331,7 +289,7 @@ public final class TrackPlane {
         }
     }
 
-    /** Measures the motion over the live events, and lets contour and memory follow it. */
+    /** Measures the motion over the live events, and lets the outline follow it. */
     void recentre(MetricFit fit, long nowUs) {
         if (!recentring.begin(nowUs)) {
             return;
@@ -348,31 +306,23 @@ public final class TrackPlane {
     private void carryOn(long nowUs) {
         motion.moveReference(nowUs);
         if (recentring.live().thinning() == 1 && isMovedOff()) {
-            contour.draw(recentring.live(), motion, contourUs());
+            outline.draw(recentring.live(), motion, lifetimeUs());
         } else {
-            contour.fade(nowUs, contourUs());
-            contour.follow(motion);
+            outline.follow(motion, lifetimeUs());
         }
-        followContour();
+        followOutline();
     }
 
-    /** Takes centre, lifetime and memory from the contour as it lies now. */
-    private void followContour() {
-        contour.measure(recentring.live(), motion, Noise.support(noisePerUs, contourUs()));
-        motion.moveCentre(contour.centreX(), contour.centreY());
+    /** Takes centre and lifetime from the outline as it lies now. */
+    private void followOutline() {
+        outline.measure(recentring.live(), motion, lifetimeUs());
         recentring.followLifetime(motion, contour.radius());
-        memory.follow(motion, memoryUs());
     }
 
     /** Whether the motion was corrected by so much that the contour no longer lies where it is. */
     private boolean isMovedOff() {
         return contour.isEmpty()
             || motion.speedFrom(before, contour.radius()) * (lifetimeUs() * 0.5e-6) > Contour.REDRAWN_PX;
-    }
-
-    /** Time in which the structure travels the pixels that it remembers its contour for. */
-    private long memoryUs() {
-        return (long) Math.min(MAX_MEMORY_US, p.memoryPx() / Math.max(speed(), 1e-3) * 1e6);
     }
 
     /**
@@ -394,16 +344,12 @@ public final class TrackPlane {
         life.takeOver(other.life);
         motion.moveReference(nowUs);
         if (recentring.live().thinning() == 1) {
-            contour.draw(recentring.live(), motion, contourUs());
+            outline.draw(recentring.live(), motion, lifetimeUs());
         } else {
             contour.absorb(other.contour, motion);
         }
-        followContour();
-        LiveEvents its = other.recentring.live();
-        for (int k = 0; k < its.size(); k++) {
-            int i = its.index(k);
-            memory.see(its.x[i], its.y[i], its.timeUs[i]);
-        }
+        followOutline();
+        outline.remember(other.recentring.live());
         recentring.expire(nowUs);
         becomeAnother();
         return used;
@@ -453,7 +399,7 @@ public final class TrackPlane {
 
     /** Gives the part that was found up to another plane, whose motion is measured from its events. */
     void giveUp(Parting parting, TrackPlane to, MetricFit fit, long nowUs) {
-        to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy, noisePerUs);
+        to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy, outline.noisePerUs());
         LiveEvents live = recentring.live();
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
@@ -466,14 +412,14 @@ public final class TrackPlane {
         measurement().doubtBody();
         motion.copyFrom(parting.rest());
         motion.moveReference(nowUs);
-        contour.draw(live, motion, contourUs());
-        followContour();
+        outline.draw(live, motion, lifetimeUs());
+        followOutline();
         becomeAnother();
     }
 
     /** Tracks on with other parameters. */
     void setParameters(SofasParameters.Track next) {
-        p = next;
+        outline.setMemoryPx(next.memoryPx());
         recentring.setParameters(next);
     }
 
@@ -488,12 +434,13 @@ public final class TrackPlane {
         // where all of the contour has faded it was seen last about its centre
         boolean faded = contour.isEmpty();
         long lastUs = life.lastUs();
+        Bounds box = contour.box(lastUs);
         return new Segment(id(), life.firstUs(), lastUs, life.events(), (float) motion.vx, (float) motion.vy,
             (float) motion.omega, (float) motion.growth,
-            clip(faded ? motion.centreX : contour.left(lastUs), sensor.width()),
-            clip(faded ? motion.centreY : contour.top(lastUs), sensor.height()),
-            clip(faded ? motion.centreX : contour.right(lastUs), sensor.width()),
-            clip(faded ? motion.centreY : contour.bottom(lastUs), sensor.height()), fate, mergedInto);
+            clip(faded ? motion.centreX : box.left(), sensor.width()),
+            clip(faded ? motion.centreY : box.top(), sensor.height()),
+            clip(faded ? motion.centreX : box.right(), sensor.width()),
+            clip(faded ? motion.centreY : box.bottom(), sensor.height()), fate, mergedInto);
     }
 
     private static int clip(double v, int size) {

@@ -154,7 +154,7 @@ public final class TrackPlaneStack {
         TrackPlane best = null;
         double bestRate = 0;
         for (int i = 0; i < size; i++) {
-            double rate = (double) planes[i].remembered(x, y, timeUs) / planes[i].lifetimeUs();
+            double rate = (double) planes[i].memory().remembered(x, y, timeUs) / planes[i].lifetimeUs();
             if (rate > bestRate) {
                 best = planes[i];
                 bestRate = rate;
@@ -165,7 +165,7 @@ public final class TrackPlaneStack {
 
     private boolean isRememberedByOther(TrackPlane plane, int x, int y, long timeUs) {
         for (int i = 0; i < size; i++) {
-            if (planes[i] != plane && planes[i].remembered(x, y, timeUs) > 0) {
+            if (planes[i] != plane && planes[i].memory().remembered(x, y, timeUs) > 0) {
                 return true;
             }
         }

@@ -1,6 +1,7 @@
 package io.github.sofas.flow.motion;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
@@ -32,5 +33,33 @@ public class BoundsTest {
         assertTrue(bounds.left() > bounds.right() && bounds.top() > bounds.bottom());
         bounds.include(5, 6);
         assertSides(5, 6, 5, 6);
+    }
+
+    @Test
+    public void placesAreAroundItUpToTheMargin() {
+        bounds.set(10, 20, 14, 30);
+        assertSides(10, 20, 14, 30);
+        assertTrue(bounds.isAround(12, 25, 0));
+        assertTrue("a corner", bounds.isAround(14, 30, 0));
+        assertTrue(bounds.isAround(8, 32, 2));
+        assertFalse(bounds.isAround(7.9, 25, 2));
+        assertFalse(bounds.isAround(12, 32.1, 2));
+        bounds.clear();
+        assertFalse("of no place", bounds.isAround(12, 25, 100));
+    }
+
+    @Test
+    public void boxesAreApartByTheGreaterOfTheirTwoGaps() {
+        bounds.set(10, 20, 14, 30);
+        Bounds other = new Bounds();
+        other.set(17, 34, 18, 35);
+        assertTrue(bounds.isWithin(4, other));
+        assertTrue(other.isWithin(4, bounds));
+        assertFalse("4 px apart in y", bounds.isWithin(3.9, other));
+        other.set(11, 21, 13, 22);
+        assertTrue("within it", bounds.isWithin(0, other));
+        other.set(-20, 20, 5, 30);
+        assertFalse("5 px apart in x", bounds.isWithin(4.9, other));
+        assertFalse(other.isWithin(4.9, bounds));
     }
 }

@@ -201,10 +201,10 @@ public class ContourTest {
         contour.add(30, 20, 0, 1, 0, 1);
         assertEquals(0, contour.extent());
         contour.add(45, 27, 0, -1, 0, 1);
-        assertEquals(30, contour.left(0), 0);
-        assertEquals(45, contour.right(0), 0);
-        assertEquals(20, contour.top(0), 0);
-        assertEquals(27, contour.bottom(0), 0);
+        assertEquals(30, contour.box(0).left(), 0);
+        assertEquals(45, contour.box(0).right(), 0);
+        assertEquals(20, contour.box(0).top(), 0);
+        assertEquals(27, contour.box(0).bottom(), 0);
         assertEquals(15, contour.extent());
     }
 
@@ -215,9 +215,9 @@ public class ContourTest {
         contour.fade(10_000, LIFETIME_US);
         contour.add(45, 27, 10_000, 1, 0, 1);
         contour.fade(160_000, LIFETIME_US);
-        assertEquals(45, contour.left(160_000), 0);
-        assertEquals(45, contour.right(160_000), 0);
-        assertEquals(27, contour.top(160_000), 0);
+        assertEquals(45, contour.box(160_000).left(), 0);
+        assertEquals(45, contour.box(160_000).right(), 0);
+        assertEquals(27, contour.box(160_000).top(), 0);
         assertTrue(contour.support(45, 27, 160_000, 1) > 0);
     }
 
@@ -226,8 +226,8 @@ public class ContourTest {
         // 100 px/s to the right, 50 up
         start(100, -50);
         contour.add(30, 60, 0, 1, 0, 1);
-        assertEquals(50, contour.left(200_000), 1e-9);
-        assertEquals(50, contour.bottom(200_000), 1e-9);
+        assertEquals(50, contour.box(200_000).left(), 1e-9);
+        assertEquals(50, contour.box(200_000).bottom(), 1e-9);
     }
 
     @Test
@@ -251,9 +251,9 @@ public class ContourTest {
             int travelled = (int) (timeUs / 10_000);
             assertEquals(before, contour.support(31 + travelled, 21, timeUs, 1));
             assertEquals(beside, contour.support(33 + travelled, 22, timeUs, 1));
-            assertEquals(30 + travelled, contour.left(timeUs), 1e-9);
-            assertEquals(32 + travelled, contour.right(timeUs), 1e-9);
-            assertEquals(22, contour.bottom(timeUs), 1e-9);
+            assertEquals(30 + travelled, contour.box(timeUs).left(), 1e-9);
+            assertEquals(32 + travelled, contour.box(timeUs).right(), 1e-9);
+            assertEquals(22, contour.box(timeUs).bottom(), 1e-9);
         }
         assertEquals(2 - 1, before);
         assertEquals(2, beside);
@@ -321,8 +321,8 @@ public class ContourTest {
             followTo(timeUs);
         }
         assertEquals(2, contour.support(93, 40, 100_000, 1));
-        assertEquals(60 - 24 * 1.6487, contour.left(100_000), 1);
-        assertEquals(60 + 24 * 1.6487, contour.right(100_000), 1);
+        assertEquals(60 - 24 * 1.6487, contour.box(100_000).left(), 1);
+        assertEquals(60 + 24 * 1.6487, contour.box(100_000).right(), 1);
     }
 
     @Test
@@ -343,8 +343,8 @@ public class ContourTest {
         contour.absorb(other, motion);
         assertEquals(2 + 2, contour.support(41, 21, 100_000, 1));
         assertEquals(2, contour.support(50, 21, 100_000, -1));
-        assertEquals(40, contour.left(100_000), 1);
-        assertEquals(50, contour.right(100_000), 1);
+        assertEquals(40, contour.box(100_000).left(), 1);
+        assertEquals(50, contour.box(100_000).right(), 1);
         // from now on along the common one
         assertEquals(2 + 2, contour.support(46, 21, 150_000, 1));
     }

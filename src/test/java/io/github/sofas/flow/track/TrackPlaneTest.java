@@ -137,7 +137,7 @@ public class TrackPlaneTest {
             assertEquals(State.WAITED_FOR, plane.update(nowUs, 0));
         }
         column = 20 + 35;
-        assertTrue(plane.remembered(column, 45, nowUs) > 0);
+        assertTrue(plane.memory().remembered(column, 45, nowUs) > 0);
         assertEquals(State.TRACKED, goOn(6, Claim.REMEMBERED));
         assertEquals(18 * ROWS, plane.segment(Segment.Fate.ALIVE, 0).events());
     }
@@ -191,7 +191,7 @@ public class TrackPlaneTest {
         start(20);
         assertEquals(State.TRACKED, goOn(1));
         assertEquals(ROWS, plane.segment(Segment.Fate.ALIVE, 0).events());
-        assertEquals(0, plane.remembered(33, 45, nowUs + 1));
+        assertEquals(0, plane.memory().remembered(33, 45, nowUs + 1));
     }
 
     /** Goes on with some of its rows only. */
@@ -307,11 +307,11 @@ public class TrackPlaneTest {
         for (int i = 0; i < 16; i++) {
             take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.REMEMBERED);
         }
-        assertEquals(0, plane.remembered(column, 71, nowUs));
+        assertEquals(0, plane.memory().remembered(column, 71, nowUs));
         for (int i = 0; i < 16; i++) {
             take(column - 2 + i % 4, 69 + i / 4, nowUs, 1, Claim.OWN);
         }
-        assertTrue(plane.remembered(column, 71, nowUs) > 0);
+        assertTrue(plane.memory().remembered(column, 71, nowUs) > 0);
     }
 
     /** Changes its speed for 22 px, from 100 px/s, then goes on at the one it has, with two rows only. */
