@@ -1,14 +1,29 @@
 package io.github.sofas.flow.fit;
 
-/** A few linear equations with a symmetric matrix that is positive, solved by Cholesky's method. */
-final class LinearSystem {
+import java.util.Arrays;
+
+/** Some linear equations with a symmetric matrix that is positive, solved by Cholesky's method. */
+public final class LinearSystem {
     private final int size;
     /** The lower half of the matrix, then that of its factor. */
     private final double[][] a;
 
-    LinearSystem(int size) {
+    /** Makes one of so many equations, whose matrix is 0. */
+    public LinearSystem(int size) {
         this.size = size;
         a = new double[size][size];
+    }
+
+    /** Sets all entries to 0. */
+    public void clear() {
+        for (double[] row : a) {
+            Arrays.fill(row, 0);
+        }
+    }
+
+    /** Adds to an entry and to the one across the diagonal; j is not greater than i. */
+    public void add(int i, int j, double value) {
+        a[i][j] += value;
     }
 
     /** Sets an entry and the one across the diagonal; j is not greater than i. */
@@ -17,7 +32,7 @@ final class LinearSystem {
     }
 
     /** Takes the matrix apart into a lower triangle times itself; returns false where it is not positive. */
-    boolean factor() {
+    public boolean factor() {
         for (int i = 0; i < size; i++) {
             for (int j = 0; j <= i; j++) {
                 double left = a[i][j];
@@ -37,7 +52,7 @@ final class LinearSystem {
     }
 
     /** Turns the right sides of the equations into what solves them, once the matrix is taken apart. */
-    void solve(double[] x) {
+    public void solve(double[] x) {
         for (int i = 0; i < size; i++) {
             for (int k = 0; k < i; k++) {
                 x[i] -= a[i][k] * x[k];

@@ -1,5 +1,6 @@
 package io.github.sofas.flow.smooth;
 
+import io.github.sofas.flow.fit.LinearSystem;
 import io.github.sofas.flow.fit.MetricFit;
 import java.util.Arrays;
 
@@ -19,13 +20,11 @@ final class PartShifts {
     private static final double FLAT = 0.5;
     private static final int[] CHANGE = {1, -1};
     private static final int[] BEND = {1, -2, 1};
-    /** Unknowns from one to the last that it has to do with: x and y of a part, of the next, and x of that after it. */
-    private static final int BAND = 4;
 
     private final int parts;
     private final double[] shifts;
-    /** Symmetric, the part below the diagonal: entry (i, i - k) at i (BAND + 1) + k. */
-    private final double[] matrix;
+    /** Its unknowns are x and y of each part in turn. */
+    private final LinearSystem balance;
     private final double[] right;
     private double curvatures;
     private double gain;
@@ -34,7 +33,7 @@ final class PartShifts {
         this.parts = parts;
         shifts = new double[2 * parts];
         right = new double[2 * parts];
-        matrix = new double[2 * parts * (BAND + 1)];
+        balance = new LinearSystem(2 * parts);
     }
 
     /** Begins without shifts. */
@@ -44,7 +43,7 @@ final class PartShifts {
     }
 
     private void begin() {
-        Arrays.fill(matrix, 0);
+        balance.clear();
         Arrays.fill(right, 0);
         curvatures = 0;
     }
@@ -77,9 +76,9 @@ final class PartShifts {
         slopeAcross *= shown;
         across *= shown;
         int i = 2 * part;
-        to(i, i, along * c * c + across * s * s);
-        to(i + 1, i, (along - across) * c * s);
-        to(i + 1, i + 1, along * s * s + across * c * c);
+        balance.add(i, i, along * c * c + across * s * s);
+        balance.add(i + 1, i, (along - across) * c * s);
+        balance.add(i + 1, i + 1, along * s * s + across * c * c);
         right[i] += slopeAlong * c - slopeAcross * s;
         right[i + 1] += slopeAlong * s + slopeAcross * c;
         curvatures += (along + across) / 2;
@@ -89,10 +88,6 @@ final class PartShifts {
         return Math.max(curvature, Math.abs(slope));
     }
 
-    private void to(int i, int j, double value) {
-        matrix[i * (BAND + 1) + i - j] += value;
-    }
-
     /** Shifts the parts on by what pulls at them, and lets the pulls go; false where nothing pulls. */
     boolean step() {
         boolean isPulled = curvatures > 0;
@@ -100,7 +95,7 @@ final class PartShifts {
         if (isPulled) {
             double mean = curvatures / parts;
             for (int i = 0; i < 2 * parts; i++) {
-                to(i, i, SHIFT_COST * mean);
+                balance.add(i, i, SHIFT_COST * mean);
                 if (i >= 2) {
                     charge(i, CHANGE, CHANGE_COST * mean);
                 }
@@ -109,7 +104,9 @@ final class PartShifts {
                 }
             }
             double[] slopes = right.clone();
-            solve();
+            // positive, because each shift has its cost
+            balance.factor();
+            balance.solve(right);
             for (int i = 0; i < 2 * parts; i++) {
                 gain += slopes[i] * right[i] / 2;
                 shifts[i] += right[i];
@@ -133,38 +130,8 @@ final class PartShifts {
         for (int k = 0; k < times.length; k++) {
             right[last - 2 * k] -= cost * times[k] * difference;
             for (int l = k; l < times.length; l++) {
-                to(last - 2 * k, last - 2 * l, cost * times[k] * times[l]);
+                balance.add(last - 2 * k, last - 2 * l, cost * times[k] * times[l]);
             }
         }
-    }
-
-    /** Solves the system in place, by Cholesky within the band. */
-    private void solve() {
-        int n = 2 * parts;
-        for (int i = 0; i < n; i++) {
-            for (int j = Math.max(0, i - BAND); j <= i; j++) {
-                double value = at(i, j);
-                for (int k = Math.max(0, i - BAND); k < j; k++) {
-                    value -= at(i, k) * at(j, k);
-                }
-                matrix[i * (BAND + 1) + i - j] = i == j ? Math.sqrt(value) : value / at(j, j);
-            }
-        }
-        for (int i = 0; i < n; i++) {
-            for (int k = Math.max(0, i - BAND); k < i; k++) {
-                right[i] -= at(i, k) * right[k];
-            }
-            right[i] /= at(i, i);
-        }
-        for (int i = n - 1; i >= 0; i--) {
-            for (int k = i + 1; k <= Math.min(n - 1, i + BAND); k++) {
-                right[i] -= at(k, i) * right[k];
-            }
-            right[i] /= at(i, i);
-        }
-    }
-
-    private double at(int i, int j) {
-        return matrix[i * (BAND + 1) + i - j];
     }
 }

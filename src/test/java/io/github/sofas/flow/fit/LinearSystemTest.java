@@ -30,6 +30,22 @@ public class LinearSystemTest {
     }
 
     @Test
+    public void entriesAddUpUntilTheyAreCleared() {
+        LinearSystem system = system(new double[] {7}, new double[] {3, 9});
+        assertTrue(system.factor());
+        system.clear();
+        system.add(0, 0, 1);
+        system.add(0, 0, 3);
+        system.add(1, 0, 2);
+        system.add(1, 1, 5);
+        assertTrue(system.factor());
+        // (1, -2) times (4 2, 2 5)
+        double[] x = {4 - 4, 2 - 10};
+        system.solve(x);
+        assertArrayEquals(new double[] {1, -2}, x, 1e-12);
+    }
+
+    @Test
     public void matrixThatIsNotPositiveHasNoFactor() {
         assertFalse(system(new double[] {1}, new double[] {2, 1}).factor());
         assertFalse(system(new double[] {0}, new double[] {0, 1}).factor());
