@@ -15,6 +15,7 @@ final class Outline {
     private static final long MAX_MEMORY_US = 2_000_000;
     /** Part of the lifetime for which the contour holds events at least. */
     private static final int HELD_PART = 8;
+    /** Speed in px/s that what stands is taken to have. */
     private static final double LEAST_SPEED = 1e-3;
 
     private final Contour contour;
