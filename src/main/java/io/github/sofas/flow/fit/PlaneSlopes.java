@@ -20,7 +20,7 @@ final class PlaneSlopes {
     private double radius;
     private final double[] rise = new double[COUNT];
     private final double[][] loss = new double[COUNT][COUNT];
-    /** Velocity that a unit of each parameter gives the place that was asked for. */
+    /** Velocity that a unit of each parameter but those of the centre gives the place that was asked for. */
     private final double[] ux = new double[COUNT];
     private final double[] uy = new double[COUNT];
 
@@ -42,20 +42,26 @@ final class PlaneSlopes {
      */
     void add(double rx, double ry, double riseX, double riseY, double xx, double xy, double yy) {
         flowAt(rx / radius, ry / radius);
-        for (int i = 0; i < COUNT; i++) {
+        // the velocity of the centre is that of all places
+        rise[0] += riseX;
+        rise[1] += riseY;
+        loss[0][0] += xx;
+        loss[1][0] += xy;
+        loss[1][1] += yy;
+        for (int i = TURN; i < COUNT; i++) {
             rise[i] += riseX * ux[i] + riseY * uy[i];
             double lossX = xx * ux[i] + xy * uy[i];
             double lossY = xy * ux[i] + yy * uy[i];
             double[] row = loss[i];
-            for (int j = 0; j <= i; j++) {
+            row[0] += lossX;
+            row[1] += lossY;
+            for (int j = TURN; j <= i; j++) {
                 row[j] += lossX * ux[j] + lossY * uy[j];
             }
         }
     }
 
     private void flowAt(double x, double y) {
-        ux[0] = 1;
-        uy[1] = 1;
         ux[TURN] = -y;
         uy[TURN] = x;
         ux[GROW] = x;

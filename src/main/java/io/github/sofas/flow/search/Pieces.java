@@ -30,8 +30,9 @@ final class Pieces {
     private int filled;
     /** Number of each part that was met, 0 of the others. */
     private final int[] partOf = new int[PARTS * PARTS];
-    // events of the projection by piece, as numbers of the flow plane; piece 0 is none
+    // events on pieces, as numbers of the flow plane: by piece, and as they came with the piece of each
     private int[] events = new int[4096];
+    private int[] came = new int[4096];
     private int[] pieceOf = new int[4096];
     private int[] starts = new int[256];
     /** Pieces that are parts of texture. */
@@ -225,23 +226,28 @@ final class Pieces {
         int held = to - plane.oldest(ring);
         if (events.length < held) {
             events = new int[2 * held];
+            came = new int[2 * held];
             pieceOf = new int[2 * held];
         }
         FlowPlaneEvents of = plane.events();
         int found = 0;
         for (int e = of.left(plane.oldest(ring)); e - to < 0; e = of.left(e + 1)) {
-            pieceOf[found] = label[plane.cell(k, e)];
-            starts[pieceOf[found++]]++;
+            int piece = label[plane.cell(k, e)];
+            came[found] = e;
+            pieceOf[found] = piece;
+            starts[piece]++;
+            // without a branch: half of the events are on no piece, here and there
+            found += -piece >>> Integer.SIZE - 1;
         }
+        starts[0] = 0;
         int end = 0;
         for (int piece = 0; piece <= pieces + 1; piece++) {
             int its = starts[piece];
             starts[piece] = end;
             end += its;
         }
-        found = 0;
-        for (int e = of.left(plane.oldest(ring)); e - to < 0; e = of.left(e + 1)) {
-            events[starts[pieceOf[found++]]++] = e;
+        for (int i = 0; i < found; i++) {
+            events[starts[pieceOf[i]]++] = came[i];
         }
         // each start moved to the next one's
         System.arraycopy(starts, 0, starts, 1, pieces + 1);
