@@ -206,13 +206,17 @@ final class Pieces {
     private static long look(short[] f, int from, int to) {
         int sum = 0;
         int occupied = 0;
-        // without a branch: half of the cells are occupied, here and there
         for (int c = from; c < to; c++) {
             int v = Math.abs(f[c]);
             sum += v;
-            occupied += -v >>> Integer.SIZE - 1;
+            occupied += oneUnlessZero(v);
         }
         return ((long) sum << Integer.SIZE) + occupied;
+    }
+
+    /** 1 of a count that is not 0, without a branch: half of the cells are occupied, here and there. */
+    private static int oneUnlessZero(int count) {
+        return -count >>> Integer.SIZE - 1;
     }
 
     /** Sorts the events of a projection by the pieces that they fall on, in order of time. */
@@ -236,8 +240,7 @@ final class Pieces {
             came[found] = e;
             pieceOf[found] = piece;
             starts[piece]++;
-            // without a branch: half of the events are on no piece, here and there
-            found += -piece >>> Integer.SIZE - 1;
+            found += oneUnlessZero(piece);
         }
         starts[0] = 0;
         int end = 0;

@@ -23,6 +23,8 @@ final class Contour {
     private static final double REACH_ROOM_PX = 1;
     /** Distance from the border of the sensor within which the contour may be cut off by it, in px. */
     private static final double BORDER_PX = 2;
+    /** Live events are projected onto it in steps of this part of a pixel. */
+    static final double PROJECTED_STEP_PX = 1.0 / 16;
     /** Steps in which it is looked for ahead of a place, in px. */
     private static final double STEP_PX = 4;
     /** Breadth of what is wide, as a share of the sensor's shorter side: all of that has 0.29. */
@@ -259,7 +261,7 @@ final class Contour {
         if (live.size() == 0) {
             return;
         }
-        past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius(), 1.0 / 16);
+        past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius(), PROJECTED_STEP_PX);
         for (int k = 0; k < live.size(); k++) {
             int i = live.index(k);
             past.advance(live.timeUs[i]);
@@ -326,6 +328,20 @@ final class Contour {
         return frame.toReferenceY((cells.minX() + cells.maxX()) / 2.0 - ContourCells.MARGIN, cy - ContourCells.MARGIN);
     }
 
+    /** Whether a place of the sensor lies in its box, or beside it by so many px at most. */
+    boolean isAround(int x, int y, double marginPx, long nowUs) {
+        return !isEmpty() && box(nowUs).isAround(x, y, marginPx);
+    }
+
+    /** Widens a box so that it holds its own. */
+    void includeIn(Bounds other, long nowUs) {
+        if (!isEmpty()) {
+            Bounds its = box(nowUs);
+            other.include(its.left(), its.top());
+            other.include(its.right(), its.bottom());
+        }
+    }
+
     /** Whether its box and that of another contour lie no farther apart than a gap in px, along both axes. */
     boolean isWithin(double gap, Contour other, long nowUs) {
         return box(nowUs).isWithin(gap, other.box(nowUs));
@@ -333,16 +349,16 @@ final class Contour {
 
     /** Whether all of it lies within the sensor, and none so near the border that more may lie beyond. */
     boolean isInside(long nowUs) {
-        box(nowUs);
-        return !isEmpty() && box.left() > BORDER_PX && box.top() > BORDER_PX
-            && box.right() < sensorWidth - 1 - BORDER_PX && box.bottom() < sensorHeight - 1 - BORDER_PX;
+        Bounds its = box(nowUs);
+        return !isEmpty() && its.left() > BORDER_PX && its.top() > BORDER_PX
+            && its.right() < sensorWidth - 1 - BORDER_PX && its.bottom() < sensorHeight - 1 - BORDER_PX;
     }
 
     /** Whether all of it lies beyond the sensor. */
     boolean hasLeft(long nowUs) {
-        box(nowUs);
-        return !isEmpty() && (box.right() < 0 || box.left() >= sensorWidth || box.bottom() < 0
-            || box.top() >= sensorHeight);
+        Bounds its = box(nowUs);
+        return !isEmpty() && (its.right() < 0 || its.left() >= sensorWidth || its.bottom() < 0
+            || its.top() >= sensorHeight);
     }
 
     /** Whether no cell is occupied. */

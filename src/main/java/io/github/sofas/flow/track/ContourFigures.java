@@ -82,7 +82,7 @@ final class ContourFigures {
         double sumXy = 0;
         int stride = Math.max(1, live.size() / SAMPLE);
         if (live.size() > 0) {
-            past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, 1.0 / 16);
+            past.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, Contour.PROJECTED_STEP_PX);
         }
         for (int k = 0; k < live.size(); k += stride) {
             int i = live.index(k);

@@ -1,7 +1,6 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.Motion;
 
 /**
@@ -142,20 +141,6 @@ final class Outline {
         for (int k = 0; k < events.size(); k++) {
             int i = events.index(k);
             memory.see(events.x[i], events.y[i], events.timeUs[i]);
-        }
-    }
-
-    /** Whether a place of the sensor lies in the box of the contour, or beside it by so many px at most. */
-    boolean isAround(int x, int y, double marginPx, long nowUs) {
-        return !contour.isEmpty() && contour.box(nowUs).isAround(x, y, marginPx);
-    }
-
-    /** Widens a box so that it holds the contour. */
-    void includeIn(Bounds box, long nowUs) {
-        if (!contour.isEmpty()) {
-            Bounds its = contour.box(nowUs);
-            box.include(its.left(), its.top());
-            box.include(its.right(), its.bottom());
         }
     }
 }

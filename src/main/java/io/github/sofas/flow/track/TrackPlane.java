@@ -205,12 +205,12 @@ public final class TrackPlane {
 
     /** Whether a place of the sensor lies in the box of the contour, or beside it by so many px at most. */
     public boolean isAround(int x, int y, double marginPx, long nowUs) {
-        return outline.isAround(x, y, marginPx, nowUs);
+        return contour.isAround(x, y, marginPx, nowUs);
     }
 
     /** Widens a box so that it holds the contour. */
     public void includeIn(Bounds box, long nowUs) {
-        outline.includeIn(box, nowUs);
+        contour.includeIn(box, nowUs);
     }
 
     /**

@@ -5,6 +5,7 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
+import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.Motion;
 import java.util.ArrayList;
 import java.util.List;
@@ -65,6 +66,24 @@ public class ContourTest {
         assertFalse("from column 2 on", contour.isInside(10_000));
         assertFalse("up to column 0", contour.hasLeft(70_000));
         assertTrue(contour.hasLeft(80_000));
+    }
+
+    @Test
+    public void boxIsAroundTheContourAndNowhereWhereItIsEmpty() {
+        start(100, 0);
+        assertFalse(contour.isAround(60, 40, 5, 0));
+        Bounds box = new Bounds();
+        contour.includeIn(box, 0);
+        assertFalse("nothing to include", box.isAround(60, 40, 100));
+        addBlock(59, 39, 3);
+        assertTrue(contour.isAround(63, 43, 2, 0));
+        assertFalse(contour.isAround(64, 43, 2, 0));
+        assertTrue("10 px on after 0.1 s", contour.isAround(73, 43, 2, 100_000));
+        contour.includeIn(box, 100_000);
+        assertEquals(69, box.left(), 1e-9);
+        assertEquals(71, box.right(), 1e-9);
+        assertEquals(39, box.top(), 0);
+        assertEquals(41, box.bottom(), 0);
     }
 
     @Test

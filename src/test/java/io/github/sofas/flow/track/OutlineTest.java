@@ -5,7 +5,6 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.SensorSize;
-import io.github.sofas.flow.motion.Bounds;
 import io.github.sofas.flow.motion.Motion;
 import org.junit.Test;
 
@@ -94,23 +93,5 @@ public class OutlineTest {
         assertEquals(2_000_000, outline.memoryUs(motion));
         start(0);
         assertEquals(2_000_000, outline.memoryUs(motion));
-    }
-
-    @Test
-    public void boxIsAroundTheContourAndNowhereWhereItIsEmpty() {
-        start(100);
-        assertFalse(outline.isAround(60, 40, 5, 0));
-        Bounds box = new Bounds();
-        outline.includeIn(box, 0);
-        assertFalse("nothing to include", box.isAround(60, 40, 100));
-        takeBlock(Claim.OWN);
-        assertTrue(outline.isAround(63, 43, 2, 0));
-        assertFalse(outline.isAround(64, 43, 2, 0));
-        assertTrue("10 px on after 0.1 s", outline.isAround(73, 43, 2, 100_000));
-        outline.includeIn(box, 100_000);
-        assertEquals(69, box.left(), 1e-9);
-        assertEquals(71, box.right(), 1e-9);
-        assertEquals(39, box.top(), 0);
-        assertEquals(41, box.bottom(), 0);
     }
 }
