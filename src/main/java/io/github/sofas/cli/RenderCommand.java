@@ -29,7 +29,10 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Makes a film or pictures of a recording's events, flow and segments. */
+/**
+ * Makes a film or pictures of a recording's events, flow and segments. This class checks the arguments;
+ * {@link RenderRun} makes the film.
+ */
 @Command(name = "render", sortOptions = false,
     customSynopsis = "sofas render [OPTION]... --out DIR RECORDING",
     description = {"Make a film of a recording's events, flow and segments.",
@@ -90,7 +93,7 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private ParameterOptions parameterOptions;
 
-    /** What is shown of the sensor. */
+    /** Options that determine what is shown. */
     private static final class Shown {
         @Option(names = "--panels", split = ",", paramLabel = "PANEL",
             description = "Any of ${COMPLETION-CANDIDATES}, separated by commas; default: flow,segments.")
@@ -115,7 +118,7 @@ final class RenderCommand implements Callable<Integer> {
         private Double fullPxPerS;
     }
 
-    /** When it is shown. */
+    /** Options that determine when it is shown. */
     private static final class Times {
         @Option(names = "--fps", defaultValue = "30", description = "Pictures per second of film, at most 240; "
             + "default: 30. GIF has steps of 0.01 s: the nearest rate is used, 33.3 for 30, at most 50.")
@@ -161,7 +164,7 @@ final class RenderCommand implements Callable<Integer> {
             if (outcome.damage() != null) {
                 err.println(outcome.damage().getMessage());
             }
-            if (outcome.stoppedEarly()) {
+            if (outcome.endsEarly()) {
                 err.println("[" + recording.getFileName() + "] the film ends early: it has the "
                     + times.maxPictures + " pictures of --max-pictures");
             }

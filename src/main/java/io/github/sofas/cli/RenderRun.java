@@ -28,12 +28,13 @@ import java.util.Locale;
 import java.util.Queue;
 
 /**
- * One recording from its first event to its film.
+ * Makes the film of one recording. The events are labelled, or get labels that were written before, and a picture is
+ * painted whenever one is due.
  *
- * @param recording what is shown
- * @param options how it is read
+ * @param recording the recording that is shown
+ * @param options how the recording is read
  * @param method labels the events
- * @param flow labels that were written before; null where the method is to label
+ * @param flow file of labels that were written before; null if the method is to label
  * @param file the film
  * @param format of the film
  * @param encoder of MP4
@@ -43,10 +44,10 @@ import java.util.Queue;
 record RenderRun(Path recording, RecordingOptions options, MethodChoice method, Path flow, Path file, Format format,
                  Mp4Film.Encoder encoder, PictureOptions pictures, Timing timing) {
     private static final int BATCH = 4096;
-    /** Frames that wait for their time; where there are more among the events of a batch, the oldest are not shown. */
+    /** Frames that may wait for their time. If a batch brings more, the oldest are not shown. */
     private static final int MOST_FRAMES = 256;
 
-    /** What a film is. */
+    /** File format of a film. */
     enum Format {
         MP4(".mp4"), GIF(".gif"), PNG(".png.zip");
 
@@ -63,43 +64,43 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
     }
 
     /**
-     * When there is a picture.
+     * Determines when there is a picture.
      *
      * @param fps pictures per second of film
      * @param stepUs time of the recording between two pictures, µs
-     * @param every events between two pictures; 0 where the time counts
+     * @param every events between two pictures; 0 if time determines the pictures
      * @param fromS beginning, s from the first event
      * @param toS end, s from the first event
-     * @param maxPictures most pictures
+     * @param maxPictures largest number of pictures
      */
     record Timing(double fps, double stepUs, long every, double fromS, double toS, long maxPictures) {
     }
 
     /**
-     * What came of it.
+     * The outcome of a run.
      *
-     * @param pictures how many
-     * @param events how many were read
-     * @param recordingS time of the recording from the first to the last of them
-     * @param wallS time that it took
-     * @param stoppedEarly whether the film had its most pictures before the recording ended
-     * @param notes what the user should know of the recording
-     * @param faults what is wrong with it
-     * @param doubtfulShare share of its events that were corrected, dropped or malformed
-     * @param damage why the recording could not be read to its end; null where it was
-     * @param encoder what encoded it; null where it is no MP4
+     * @param pictures number of pictures
+     * @param events number of events read
+     * @param recordingS time of the recording from the first to the last of these events
+     * @param wallS time that the run took
+     * @param endsEarly whether the film reached the largest number of pictures, and events are left
+     * @param notes what the user should know about the recording
+     * @param faults what is wrong with the recording
+     * @param doubtfulShare share of the recording's events that were corrected, dropped or malformed
+     * @param damage why the recording could not be read to its end; null if it was
+     * @param encoder the encoder that was used; null if the film is no MP4
      */
-    record Outcome(long pictures, long events, double recordingS, double wallS, boolean stoppedEarly,
+    record Outcome(long pictures, long events, double recordingS, double wallS, boolean endsEarly,
                    List<String> notes, List<String> faults, double doubtfulShare, EventSourceException damage,
                    Mp4Film.Encoder encoder) {
     }
 
     /**
-     * Makes the film, under the name that the files have before they are committed.
+     * Makes the film under a temporary name, which it has until the caller commits the files.
      *
-     * @throws EventSourceException where the recording cannot be opened or has no event
-     * @throws IOException where the film cannot be written
-     * @throws IllegalArgumentException where pictures of this sensor cannot be as they are wanted
+     * @throws EventSourceException if the recording cannot be opened or has no event to show
+     * @throws IOException if the film cannot be written
+     * @throws IllegalArgumentException if the pictures that are asked for are impossible with this sensor
      */
     Outcome run(ResultFiles files, RunProgress progress) throws EventSourceException, IOException {
         long start = System.nanoTime();
@@ -140,7 +141,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     + "be an event between --from and --to but there was none");
             }
             return new Outcome(shooting.pictures(), shooting.events(), shooting.recordingS(),
-                (System.nanoTime() - start) / 1e9, shooting.hasMostPictures(), reader.notes(), reader.faults(),
+                (System.nanoTime() - start) / 1e9, shooting.endsEarly(), reader.notes(), reader.faults(),
                 reader.counts().doubtfulShare(), damage, film instanceof Mp4Film ? ((Mp4Film) film).encoder() : null);
         }
     }
@@ -152,19 +153,19 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             case PNG:
                 return new PngFilm(files.create(file));
             default:
-                // encoders go back in the file, which no stream can
+                // encoders seek back in the file, which a stream cannot do
                 files.create(file).close();
                 return new Mp4Film(files.temporary(file), timing.fps(), encoder);
         }
     }
 
-    /** Cuts the events where pictures are due, labels them and paints. */
+    /** Splits the events where pictures are due, labels each part and paints the pictures. */
     private static final class Shooting {
         private final PictureSheet sheet;
         private final Film film;
         private final Timing timing;
         private final EventLabeller labeller;
-        /** Frames that were read, and are shown when their time has come. */
+        /** Frames that were read and are shown when their time has come. */
         private final Queue<GreyFrame> frames;
         private final EventBatch part = new EventBatch(BATCH);
         private final FlowOutput partLabels = new FlowOutput(BATCH);
@@ -174,7 +175,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
         private long sincePicture;
         private long pictures;
         private boolean over;
-        private boolean most;
+        private boolean endsEarly;
 
         Shooting(PictureSheet sheet, Film film, Timing timing, EventLabeller labeller, Queue<GreyFrame> frames) {
             this.sheet = sheet;
@@ -184,7 +185,7 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             this.frames = frames;
         }
 
-        /** Takes a batch; its labels count where there is no labeller. */
+        /** Takes a batch; its labels are used only if there is no labeller. */
         void take(EventBatch batch, FlowOutput labels) throws IOException {
             if (events == 0) {
                 firstUs = batch.timeUs[0];
@@ -197,10 +198,12 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                     from = i;
                     shoot(timing.every() > 0 ? lastUs : dueUs());
                 }
+                boolean isPastEnd = timeUs - firstUs > timing.toS() * 1e6;
                 if (over) {
+                    endsEarly = !isPastEnd;
                     return;
                 }
-                if (timeUs - firstUs > timing.toS() * 1e6) {
+                if (isPastEnd) {
                     over = true;
                     pass(batch, labels, from, i);
                     return;
@@ -246,13 +249,12 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
                 labeller instanceof Sofas ? (Sofas) labeller : null);
             film.add(picture);
             pictures++;
-            most = pictures == timing.maxPictures();
-            over |= most;
+            over |= pictures == timing.maxPictures();
         }
 
-        /** Paints what came after the last picture. */
+        /** Paints the events after the last picture. */
         void end() throws IOException {
-            if (!most && sincePicture > 0) {
+            if (pictures < timing.maxPictures() && sincePicture > 0) {
                 shoot(lastUs);
             }
         }
@@ -261,8 +263,9 @@ record RenderRun(Path recording, RecordingOptions options, MethodChoice method, 
             return over;
         }
 
-        boolean hasMostPictures() {
-            return most;
+        /** Whether the film has as many pictures as it may have, and events are left. */
+        boolean endsEarly() {
+            return endsEarly;
         }
 
         long pictures() {

@@ -167,6 +167,18 @@ public class RenderCommandTest {
     }
 
     @Test
+    public void filmEndsEarlyOnlyIfEventsAreLeft() throws IOException {
+        String[] whole = {"--format", "png", "--scale", "1", "--every", "1000000", "--max-pictures", "1"};
+        assertEquals("", render(whole).err);
+        Executed executed = render("--format", "png", "--scale", "1", "--every", "1000", "--max-pictures", "1",
+            "--force");
+        assertEquals("[short-bar.aedat] the film ends early: it has the 1 pictures of --max-pictures\n", executed.err);
+        // the one picture is due at 0.1 s, where --to ends the film as well
+        assertEquals("", render("--format", "png", "--scale", "1", "--fps", "10", "--to", "0.1", "--max-pictures", "1",
+            "--force").err);
+    }
+
+    @Test
     public void pictureTooLargeForPlayersIsRefusedAndLeavesNoFilm() throws IOException {
         Executed executed = render("--scale", "16", "--panels", "events,flow,segments");
         // two panels of 240 x 16 px with 8 px about each, two rows of 180 x 16 px with title and legend
