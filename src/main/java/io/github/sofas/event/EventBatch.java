@@ -1,11 +1,11 @@
 package io.github.sofas.event;
 
 /**
- * A run of events in parallel arrays, made once and filled again and again.
+ * A run of consecutive events in parallel arrays, allocated once and filled again and again.
  *
- * <p>Axes: x right, y down, origin top left, in pixels. Time in µs, never falling within a recording.
- * The arrays are open so that readers fill them and the engine walks them without a call per event; only the first
- * {@link #size()} entries mean anything. For one thread at a time.
+ * <p>Axes: x to the right, y down, origin at the top left, in pixels. Time is in µs and never decreases within a
+ * recording. The arrays are public so that readers fill them, and the engine walks through them, without a call per
+ * event. Only the first {@link #size()} entries are valid. A batch is for one thread at a time.
  */
 public final class EventBatch {
     /** Time of each event in µs. */
@@ -22,8 +22,8 @@ public final class EventBatch {
     /**
      * Makes an empty batch.
      *
-     * @param capacity the most events that it can hold, at least 1
-     * @throws IllegalArgumentException where the capacity is smaller
+     * @param capacity the most events that the batch can hold, at least 1
+     * @throws IllegalArgumentException if the capacity is less than 1
      */
     public EventBatch(int capacity) {
         if (capacity < 1) {
@@ -40,7 +40,7 @@ public final class EventBatch {
         return timeUs.length;
     }
 
-    /** {@return how many events are held} */
+    /** {@return the number of events held} */
     public int size() {
         return size;
     }
@@ -62,7 +62,7 @@ public final class EventBatch {
      * @param eventX column of the pixel, from 0 at the left
      * @param eventY row of the pixel, from 0 at the top
      * @param eventPolarity 1 for ON, -1 for OFF
-     * @throws ArrayIndexOutOfBoundsException where the batch is full
+     * @throws ArrayIndexOutOfBoundsException if the batch is full
      */
     public void add(long eventTimeUs, int eventX, int eventY, int eventPolarity) {
         int i = size;
@@ -76,10 +76,10 @@ public final class EventBatch {
     /**
      * Appends some events of another batch.
      *
-     * @param from read only; not this batch
-     * @param first the first of them
-     * @param count how many
-     * @throws IndexOutOfBoundsException where they are not there, or do not fit
+     * @param from the batch to copy from, which is only read; not this batch
+     * @param first index of the first event to copy
+     * @param count number of events to copy
+     * @throws IndexOutOfBoundsException if the other batch has no such events, or if they do not fit into this one
      */
     public void addAll(EventBatch from, int first, int count) {
         System.arraycopy(from.timeUs, first, timeUs, size, count);
@@ -90,10 +90,10 @@ public final class EventBatch {
     }
 
     /**
-     * Says how many entries are valid, after a caller wrote the arrays itself.
+     * Sets the number of valid entries, after a caller has written to the arrays itself.
      *
-     * @param newSize from 0 to {@link #capacity}
-     * @throws IllegalArgumentException where the size is negative or above the capacity
+     * @param newSize number of valid entries, from 0 to {@link #capacity}
+     * @throws IllegalArgumentException if the size is negative or above the capacity
      */
     public void setSize(int newSize) {
         if (newSize < 0 || newSize > timeUs.length) {

@@ -1,25 +1,25 @@
 package io.github.sofas.event;
 
 /**
- * Where events come from: a recording, a simulated scene, a camera.
+ * A source of events, such as a recording, a simulated scene or a camera.
  *
- * <p>A source is read by one thread, from first to last.
+ * <p>One thread reads a source, from the first event to the last.
  */
 public interface EventSource extends AutoCloseable {
     /** {@return the pixel array that the events come from} */
     SensorSize sensor();
 
     /**
-     * Clears the batch and fills it with the events that follow.
+     * Clears the batch and fills it with the next events.
      *
-     * @param batch is filled; what it held is forgotten
-     * @return false at the end, with the batch left empty; true with at least one event otherwise
-     * @throws EventSourceException where no further event can be had; every event before the fault was delivered by
-     *     earlier calls
+     * @param batch the batch to fill; its previous events are forgotten
+     * @return true with at least one event in the batch; false at the end of the source, with the batch left empty
+     * @throws EventSourceException if a fault prevents further reading; earlier calls have delivered every event
+     *     before the fault
      */
     boolean next(EventBatch batch) throws EventSourceException;
 
-    /** Releases files and buffers; may be called more than once. */
+    /** Releases files and buffers. It may be called more than once. */
     @Override
     void close();
 }

@@ -1,11 +1,11 @@
 package io.github.sofas.event;
 
-/** An event source has failed; the message names the place, the rule that was broken and the value found. */
+/** Signals that an event source has failed. The message names the place, the broken rule and the value found. */
 public class EventSourceException extends Exception {
     private static final long serialVersionUID = 1L;
 
     /**
-     * Makes one without a cause.
+     * Makes an exception without a cause.
      *
      * @param message what is wrong, for the user
      */
@@ -14,10 +14,10 @@ public class EventSourceException extends Exception {
     }
 
     /**
-     * Makes one with its cause.
+     * Makes an exception with its cause.
      *
      * @param message what is wrong, for the user
-     * @param cause what it came from
+     * @param cause the exception that led to this one
      */
     public EventSourceException(String message, Throwable cause) {
         super(message, cause);

@@ -1,8 +1,8 @@
 package io.github.sofas.event;
 
 /**
- * A picture by the intensity pixels that some event cameras have beside the change pixels. x runs right, y down, as for
- * events.
+ * A grey-level picture, taken by the intensity pixels that some event cameras have beside their event pixels. x runs
+ * to the right and y down, as for events.
  *
  * @param timeUs time in µs, on the events' clock
  * @param width columns
@@ -11,13 +11,13 @@ package io.github.sofas.event;
  */
 public record GreyFrame(long timeUs, int width, int height, byte[] levels) {
     /**
-     * Checks the size.
+     * Checks that the number of levels fits the size.
      *
      * @param timeUs time in µs, on the events' clock
      * @param width columns
      * @param height rows
      * @param levels brightness from 0, dark, to 255, as unsigned bytes, row by row; not to be changed
-     * @throws IllegalArgumentException where there is not one level for each pixel
+     * @throws IllegalArgumentException unless there is exactly one level for each pixel
      */
     public GreyFrame {
         if (levels.length != width * height) {

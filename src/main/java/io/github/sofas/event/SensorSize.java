@@ -1,23 +1,23 @@
 package io.github.sofas.event;
 
 /**
- * The pixel array of a sensor.
+ * Size of the pixel array of a sensor.
  *
  * @param width columns, 1 to {@value #MAX_WIDTH}
  * @param height rows, 1 to {@value #MAX_HEIGHT}
  */
 public record SensorSize(int width, int height) {
-    /** Columns of the largest sensor that is served. */
+    /** Columns of the largest sensor that is supported. */
     public static final int MAX_WIDTH = 1280;
-    /** Rows of the largest sensor that is served. */
+    /** Rows of the largest sensor that is supported. */
     public static final int MAX_HEIGHT = 720;
 
     /**
-     * Checks both sides.
+     * Checks that both sides are in range.
      *
      * @param width columns, 1 to {@value #MAX_WIDTH}
      * @param height rows, 1 to {@value #MAX_HEIGHT}
-     * @throws IllegalArgumentException where a side is outside its range
+     * @throws IllegalArgumentException if a side is outside its range
      */
     public SensorSize {
         if (width < 1 || width > MAX_WIDTH) {
@@ -40,7 +40,7 @@ public record SensorSize(int width, int height) {
     }
 
     /**
-     * {@return the rule that a pixel breaks, with its value, as messages have it; null for one on the sensor}
+     * {@return the rule that a pixel breaks, with the value found, worded for messages; null if it lies on the sensor}
      *
      * @param x column of the pixel, from 0 at the left
      * @param y row of the pixel, from 0 at the top

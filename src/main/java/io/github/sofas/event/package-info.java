@@ -1,5 +1,5 @@
 /**
- * Events and where they come from. Open {@link io.github.sofas.event.EventBatch} first: it is what flows between
- * readers, engine and writers. Depends on nothing.
+ * Events and their sources. Start with {@link io.github.sofas.event.EventBatch}, which carries events between readers,
+ * engine and writers. This package depends on no other.
  */
 package io.github.sofas.event;

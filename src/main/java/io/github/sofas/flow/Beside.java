@@ -3,11 +3,11 @@ package io.github.sofas.flow;
 import java.util.function.Consumer;
 
 /**
- * Work that is begun at one time and needed at a later one: in between a helper may do it beside the caller, and what
- * it has not begun by then the caller does itself. So nobody waits for a helper that is busy, or is none.
+ * Work that is begun at one time and whose result is needed later. In between, a helper may do it beside the caller; if
+ * the helper has not begun it by then, the caller does it. So nobody waits for a helper that is busy or absent.
  */
 final class Beside {
-    /** How often it is looked whether work is done before the caller sleeps: as long as it takes to be woken. */
+    /** Times that the caller checks whether the work is done before it sleeps: about as long as waking up takes. */
     private static final int LOOKS = 20_000;
 
     private enum State { DONE, OFFERED, WORKING }
@@ -22,12 +22,12 @@ final class Beside {
         this.work = work;
     }
 
-    /** Has another helper from the next time on; null for none. */
+    /** Uses another helper from the next time on; null for none. */
     void helpedBy(Consumer<Runnable> newHelper) {
         helper = newHelper;
     }
 
-    /** Begins the work, once what was begun before is over; without a helper the caller does it at once. */
+    /** Begins the work, once the work begun before is over; without a helper, the caller does it at once. */
     void begin() {
         if (helper == null) {
             work.run();
@@ -38,7 +38,7 @@ final class Beside {
     }
 
     private void help() {
-        // late where the caller did not wait: then there may be work of another time, or none
+        // a late helper may find no work, because the caller did not wait, or work that was begun later
         if (claims()) {
             try {
                 work.run();
@@ -92,7 +92,7 @@ final class Beside {
             try {
                 wait();
             } catch (InterruptedException e) {
-                // labels do not depend on it: told to the caller afterwards
+                // labels do not depend on it: the caller is interrupted afterwards
                 interrupted = true;
             }
         }

@@ -5,15 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Events with the labels that a camera would get, and what was learnt of segments meanwhile: what the first step of
- * {@link SmoothedSofas} hands to the second. Made once for each batch that is on its way, and reused.
+ * Events with the labels that a camera would get, and the findings about segments in between. The first step of
+ * {@link SmoothedSofas} hands it to the second. Made once for each batch on its way, and reused.
  */
 public final class CausalBatch {
     private static final int FIRST_CAPACITY = 8192;
 
     private EventBatch events = new EventBatch(FIRST_CAPACITY);
     private FlowOutput labels = new FlowOutput(FIRST_CAPACITY);
-    /** What is to be done with what was learnt, and how many of the events come before each. */
+    /** What to do with each finding, and how many of the events come before it. */
     private final List<Runnable> findings = new ArrayList<>();
     private final List<Integer> eventsBefore = new ArrayList<>();
 
@@ -23,7 +23,7 @@ public final class CausalBatch {
         void take(EventBatch events, FlowOutput labels, int i);
     }
 
-    /** Makes one that is empty. */
+    /** Makes an empty one. */
     public CausalBatch() {
     }
 
@@ -33,7 +33,7 @@ public final class CausalBatch {
         eventsBefore.clear();
     }
 
-    /** Appends what is to be done after the events that it has. */
+    /** Appends what to do after the events added so far. */
     void add(Runnable finding) {
         findings.add(finding);
         eventsBefore.add(events.size());
@@ -61,7 +61,7 @@ public final class CausalBatch {
         System.arraycopy(from.vyPxPerS, 0, to.vyPxPerS, at, count);
     }
 
-    /** Hands on the events, and does what is to be done, in the order in which they came. */
+    /** Replays events and findings in the order in which they came: hands over each event, and runs each finding. */
     void replay(Events to) {
         int next = 0;
         for (int i = 0; i <= events.size(); i++) {

@@ -1,8 +1,8 @@
 package io.github.sofas.flow;
 
 /**
- * Flow and segment of each event of a batch, in the caller's arrays: entry i belongs to event i of the batch that was
- * processed last. Made once and reused; every call overwrites it. For one thread at a time.
+ * Flow and segment of each event of a batch, in arrays of the caller: entry i belongs to event i of the batch that was
+ * processed last. Make one and reuse it: every call overwrites the entries. For one thread at a time.
  */
 public final class FlowOutput {
     /** Velocity to the right in px/s; 0 where {@link #segment} is 0. */
@@ -16,7 +16,7 @@ public final class FlowOutput {
      * Makes the arrays.
      *
      * @param capacity the size of the largest batch, at least 1
-     * @throws IllegalArgumentException where the capacity is smaller
+     * @throws IllegalArgumentException if the capacity is less than 1
      */
     public FlowOutput(int capacity) {
         if (capacity < 1) {
@@ -34,7 +34,7 @@ public final class FlowOutput {
         vyPxPerS[i] = vy;
     }
 
-    /** {@return the largest batch that can be labelled} */
+    /** {@return the size of the largest batch that can be labelled} */
     public int capacity() {
         return segment.length;
     }

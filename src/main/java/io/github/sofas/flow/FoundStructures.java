@@ -7,7 +7,10 @@ import io.github.sofas.flow.track.FoundPlanes;
 import io.github.sofas.flow.track.TrackPlane;
 import io.github.sofas.flow.track.TrackPlaneStack;
 
-/** Makes track planes of the structures that are found: search and tracking do not know each other. */
+/**
+ * Makes track planes of the structures that the search finds. It links search and tracking, which do not know each
+ * other.
+ */
 final class FoundStructures implements Structures {
     private final FoundPlanes planes;
     private final TrackPlaneStack stack;
@@ -52,10 +55,10 @@ final class FoundStructures implements Structures {
         }
     }
 
-    /** A structure that is handed over. */
+    /** A structure that the search hands over to its track plane. */
     private final class Handed implements Structure {
         private final TrackPlane plane;
-        /** How many structures the plane had served with this one: it serves another one later. */
+        /** How many structures the plane had served, including this one; it may serve another one later. */
         private final int served;
 
         Handed(TrackPlane plane) {

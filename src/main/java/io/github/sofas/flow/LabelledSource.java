@@ -4,9 +4,7 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSource;
 import io.github.sofas.event.EventSourceException;
 
-/**
- * The events of a source with their labels. Where the source is damaged, all events before the damage come first.
- */
+/** The events of a source with their labels. If the source is damaged, all events before the damage come first. */
 public final class LabelledSource {
     private static final int BATCH = 4096;
 
@@ -18,7 +16,7 @@ public final class LabelledSource {
     private long labellingNs;
 
     /**
-     * Makes one at the place where the source is.
+     * Begins at the present position of the source.
      *
      * @param source read to its end or its damage, not closed
      * @param labelling made for the source's sensor
@@ -33,8 +31,8 @@ public final class LabelledSource {
      *
      * @param batch gets the events
      * @param flow takes entry i for event i of the batch; holds at least as many
-     * @return false at the end, with the batch left empty; true with at least one event otherwise
-     * @throws EventSourceException where no further event can be had
+     * @return false at the end, with the batch left empty; otherwise true, with at least one event
+     * @throws EventSourceException if the source is damaged and no further event can be had
      */
     public boolean next(EventBatch batch, FlowOutput flow) throws EventSourceException {
         while (true) {
@@ -70,7 +68,7 @@ public final class LabelledSource {
         labellingNs += System.nanoTime() - start;
     }
 
-    /** {@return the time that labelling took so far, in ns; the rest is that of the source} */
+    /** {@return the time that labelling took so far, in ns; reading the source is not included} */
     public long labellingNs() {
         return labellingNs;
     }

@@ -4,34 +4,34 @@ import io.github.sofas.event.EventBatch;
 import java.util.List;
 
 /**
- * Labels events and gives them back in order, at once or later: {@link SmoothedSofas} waits for what comes after an
- * event, {@link #atOnce} does not. Every event is given back once, with what it was handed in with. For one thread.
+ * Labels events and gives them back in order, at once or later: {@link SmoothedSofas} waits for the events that follow,
+ * {@link #atOnce} does not. Every event is given back once, with the values that it was handed in with. For one thread.
  */
 public interface Labelling {
     /**
-     * Takes the events that follow; how a recording is cut into batches makes no difference.
+     * Takes the events that follow. How a recording is cut into batches makes no difference.
      *
-     * @param batch events that are not earlier than those before; one outside the sensor gets no flow
+     * @param batch events that are not earlier than those before; an event outside the sensor gets no flow
      */
     void add(EventBatch batch);
 
-    /** Says that no event follows, so that all can be given back. */
+    /** Declares that no event follows, so that all events can be given back. */
     void finish();
 
     /**
-     * Clears a batch, and fills it with the events that follow in order and are labelled.
+     * Clears a batch, and fills it with the next labelled events, in order.
      *
      * @param batch gets the events
      * @param flow takes entry i for event i of the batch; holds at least as many
-     * @return false where no further event is labelled yet, with the batch left empty
+     * @return false if no further event is labelled yet, with the batch left empty
      */
     boolean next(EventBatch batch, FlowOutput flow);
 
-    /** {@return what is known of the segments that live now; none where the method finds no segments} */
+    /** {@return the segments that live now; none if the method finds no segments} */
     List<Segment> segments();
 
     /**
-     * {@return a method as it is, whose labels are known at once}
+     * {@return a labelling by a method whose labels are known at once}
      *
      * @param method made for the events' sensor
      */

@@ -3,7 +3,7 @@ package io.github.sofas.flow;
 import io.github.sofas.event.EventBatch;
 import java.util.List;
 
-/** Holds events until they are asked for, and labels them then. */
+/** Labels events without look-ahead: holds them until they are asked for, and labels them then. */
 final class LabellingAtOnce implements Labelling {
     private static final int FIRST_CAPACITY = 4096;
 

@@ -3,7 +3,9 @@ package io.github.sofas.flow;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** One way of labelling events: as published, or refined. Called with events on the sensor whose time never falls. */
+/**
+ * One way of labelling events: as published, or refined. The caller passes only events on the sensor, in order of time.
+ */
 interface Method {
     /**
      * Labels an event.
@@ -12,12 +14,12 @@ interface Method {
      */
     void label(int x, int y, long timeUs, int polarity, FlowOutput output, int i);
 
-    /** Labels from now on with other parameters of the same preset. */
+    /** Uses other parameters of the same preset from now on. */
     void setParameters(SofasParameters parameters);
 
-    /** Has a part of the work done by a helper; null for none. */
+    /** Has a helper do a part of the work; null for none. */
     default void helpedBy(Consumer<Runnable> helper) {
-        // as published: in one thread
+        // the published method runs in one thread
     }
 
     /** The living segments. */
@@ -26,9 +28,9 @@ interface Method {
     /** The metrics of the flow plane. */
     MetricArray metricArray();
 
-    /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
+    /** Reports the pixels of a living segment's contour that are on the sensor; none for any other id. */
     void contour(int id, long nowUs, PixelConsumer pixels);
 
-    /** Forgets all. */
+    /** Forgets all events and segments. */
     void reset();
 }

@@ -3,9 +3,9 @@ package io.github.sofas.flow;
 /**
  * The metrics of the flow plane at one moment (paper, section Flow Plane and its figures), for pictures. Immutable.
  *
- * <p>n x n values. {@code default}: rows are rings from the slowest to the fastest, columns directions from rightwards
- * on towards downwards, every other ring turned by half a column. {@code paper}: columns are angles along x, rows along
- * y, from the most negative to the most positive.
+ * <p>It has n x n values. {@code default}: rows are rings of speed, from the slowest to the fastest; columns are
+ * directions, from rightwards on towards downwards, and every other ring is turned by half a column. {@code paper}:
+ * columns are angles along x and rows angles along y, from the most negative to the most positive.
  */
 public final class MetricArray {
     private final SofasParameters.Preset preset;
@@ -23,13 +23,13 @@ public final class MetricArray {
         return preset;
     }
 
-    /** {@return rows, and columns} */
+    /** {@return the number of rows, which is also the number of columns} */
     public int n() {
         return n;
     }
 
     /**
-     * {@return the metric per event that the projection holds: about 1 for chance; 0 where it holds none}
+     * {@return the metric per event that the projection holds: about 1 for chance; 0 if it holds no events}
      *
      * @param row from 0 to n - 1
      * @param column from 0 to n - 1

@@ -8,7 +8,10 @@ import io.github.sofas.flow.paper.TrackPlaneStack;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** The method as published: nearest cells, signed votes, a stack of track planes that are asked in turn. */
+/**
+ * The method as published: nearest cells, signed votes, and a stack of track planes that are asked in turn. An event
+ * that no track plane takes goes to the flow plane, which makes new track planes.
+ */
 final class PaperMethod implements Method {
     private final SensorSize sensor;
     private final TrackPlaneStack stack;

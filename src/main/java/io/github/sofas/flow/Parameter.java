@@ -7,25 +7,25 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * All there is to a parameter, at its declaration in {@link SofasParameters}: what it means, which values it takes, and
- * which it has in the presets. Checks, presets, the command line's options, config files, help and the viewer's
- * controls all follow from it, by {@link ParameterHandle}.
+ * The declaration of a parameter in {@link SofasParameters}: what it means, which values it takes, and which values it
+ * has in the presets. Checks, presets, command-line options, config files, help and the controls of the viewer all
+ * follow from it, by {@link ParameterHandle}.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface Parameter {
-    /** A switch that is on, as a preset's value. */
+    /** As a preset's value: the switch is on. */
     double ON = 1;
-    /** A switch that is off, as a preset's value. */
+    /** As a preset's value: the switch is off. */
     double OFF = 0;
-    /** The value of a preset that makes no use of the parameter. */
+    /** As a preset's value: the preset makes no use of the parameter. */
     double UNUSED = Double.NaN;
 
     /** {@return the meaning in one line, without unit and range} */
     String value();
 
-    /** {@return where it comes from: the paper, or why it is ours} */
+    /** {@return the origin: where in the paper the parameter is, or why it is ours} */
     String origin();
 
     /** {@return the unit, empty for a plain number} */
@@ -43,18 +43,18 @@ public @interface Parameter {
     /** {@return the value in the preset {@code paper}} */
     double paper() default UNUSED;
 
-    /** {@return another parameter that it must not be below, where the preset makes use of both; empty for none} */
+    /** {@return another parameter that this one must not be below, if the preset uses both; empty for none} */
     String atLeast() default "";
 
-    /** {@return how many times as great as {@link #atLeast} it must be at least} */
+    /** {@return the least ratio of this parameter to {@link #atLeast}} */
     double times() default 1;
 
-    /** What a group of parameters is about, in one or two words. */
+    /** The subject of a group of parameters, in one or two words. */
     @Documented
     @Retention(RetentionPolicy.RUNTIME)
     @Target(ElementType.RECORD_COMPONENT)
     @interface Group {
-        /** {@return the words} */
+        /** {@return the subject} */
         String value();
     }
 }

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * One parameter of {@link SofasParameters}: what is declared of it, and its value in given parameters. For programs
- * that show or set parameters without knowing them one by one.
+ * One parameter of {@link SofasParameters}: its declaration, and its value in a given set of parameters. For programs
+ * that show or set parameters without knowing each of them.
  */
 public final class ParameterHandle {
     private static final List<ParameterHandle> ALL = find();
@@ -37,16 +37,16 @@ public final class ParameterHandle {
         return List.copyOf(found);
     }
 
-    /** {@return every parameter but the preset, group by group} */
+    /** {@return every parameter except the preset, group by group} */
     public static List<ParameterHandle> all() {
         return ALL;
     }
 
     /**
-     * {@return the parameter of a name}
+     * {@return the parameter with a name}
      *
-     * @param name as {@code lifetimePx}
-     * @throws IllegalArgumentException where none is called so
+     * @param name such as {@code lifetimePx}
+     * @throws IllegalArgumentException if no parameter has that name
      */
     public static ParameterHandle named(String name) {
         for (ParameterHandle each : ALL) {
@@ -61,22 +61,22 @@ public final class ParameterHandle {
         throw new IllegalArgumentException("no parameter is called \"" + name + "\"; there are " + known);
     }
 
-    /** {@return its name, as {@code lifetimePx}} */
+    /** {@return its name, such as {@code lifetimePx}} */
     public String name() {
         return component.getName();
     }
 
-    /** {@return what the group that it belongs to is about} */
+    /** {@return the subject of the group that it belongs to} */
     public String group() {
         return group.getAnnotation(Parameter.Group.class).value();
     }
 
-    /** {@return what is declared of it} */
+    /** {@return its declaration} */
     public Parameter declaration() {
         return declaration;
     }
 
-    /** {@return whether it is true or false, not a number} */
+    /** {@return whether it is a switch, true or false, not a number} */
     public boolean isSwitch() {
         return component.getType() == boolean.class;
     }
@@ -109,7 +109,7 @@ public final class ParameterHandle {
     }
 
     /**
-     * {@return its value as a number; of a switch, {@link Parameter#ON} or {@link Parameter#OFF}}
+     * {@return its value as a number; for a switch, {@link Parameter#ON} or {@link Parameter#OFF}}
      *
      * @param parameters where it is looked up
      */
@@ -145,7 +145,7 @@ public final class ParameterHandle {
         return most;
     }
 
-    /** The same parameters with other values, by name. */
+    /** The same parameters with other values, given by name. */
     static SofasParameters set(SofasParameters parameters, Map<String, ?> values) {
         Map<String, Object> boxed = new HashMap<>();
         values.forEach((name, value) -> boxed.put(name, named(name).checked(value)));
@@ -154,7 +154,7 @@ public final class ParameterHandle {
                 value(component, value(group, parameters)))) : value(group, parameters));
     }
 
-    /** A value in the type that the parameter has, if it is one that it takes. */
+    /** A value in the type of the parameter, if the parameter can take it. */
     private Object checked(Object value) {
         if (isSwitch() || !(value instanceof Number)) {
             if (isSwitch() && value instanceof Boolean) {
@@ -171,7 +171,9 @@ public final class ParameterHandle {
         return boxed(number);
     }
 
-    /** The parameters of a preset, as they are declared; one that it does not use is as in the other. */
+    /**
+     * The parameters of a preset, as declared; one that the preset does not use takes its value from the other preset.
+     */
     static SofasParameters preset(Preset preset) {
         return (SofasParameters) make(SofasParameters.class, group -> group.getType().isRecord()
             ? make(group.getType(), component -> new ParameterHandle(group, component).valueIn(preset)) : preset);
@@ -182,7 +184,7 @@ public final class ParameterHandle {
         return boxed(Double.isNaN(value) ? declared(preset == Preset.PAPER ? Preset.DEFAULT : Preset.PAPER) : value);
     }
 
-    /** Checks ranges, and values that bound each other. */
+    /** Checks the ranges, and the bounds between parameters. */
     static void check(Preset preset, Record... groups) {
         for (ParameterHandle each : ALL) {
             if (!each.isSwitch()) {

@@ -12,16 +12,16 @@ import java.util.function.Consumer;
 
 /**
  * The method of the {@code default} preset: the paper's nouns, made accurate and fast. An event goes to the track plane
- * that expects it, else to the flow plane; what the search finds there becomes a track plane.
+ * that expects it, otherwise to the flow plane. A structure that the search finds there becomes a track plane.
  *
- * <p>Ours: where many events are explained, the flow plane gets them by slices, so that a helper may search one while
- * the next is labelled. What it finds is tracked from the end of that next slice on, whoever searched, and however
- * fast.
+ * <p>Ours: where many events are explained, the flow plane gets them in slices, so that a helper may search one slice
+ * while the next is labelled. A structure found in a slice is tracked from the end of that next slice on, whoever
+ * searched, and however fast.
  */
 final class RefinedMethod implements Method {
-    /** Most events of a track plane that vote on two grids, at twice the cost. */
+    /** Most events of a track plane that vote on two grids, which costs twice as much. */
     private static final int TRACKED_ON_BOTH = 1000;
-    /** The same of a piece of the flow plane, whose velocity is to be right to a few percent only. */
+    /** The same for a piece of the flow plane, whose velocity needs to be right to a few percent only. */
     private static final int SEARCHED_ON_BOTH = 300;
 
     private final SensorSize sensor;
@@ -31,10 +31,10 @@ final class RefinedMethod implements Method {
     private final EventSlice.Taker expecting;
     private final Beside learning;
     private SofasParameters p;
-    /** What is labelled now, and what the flow plane was given before it. */
+    /** The slice that is labelled now, and the slice before it, which the flow plane was given. */
     private EventSlice slice = new EventSlice();
     private EventSlice given = new EventSlice();
-    /** Votes of measurements when it was given. */
+    /** Votes of measurements when that slice was given. */
     private long givenVotes;
 
     RefinedMethod(SensorSize sensor, SofasParameters p, Consumer<Segment> ended, MeasuredMotions measured) {
@@ -76,7 +76,7 @@ final class RefinedMethod implements Method {
         slice.add(x, y, timeUs, polarity, explained);
     }
 
-    /** Labels an event, and learns from it at once. */
+    /** Labels an event, and has the flow plane learn from it at once. */
     private void labelAlone(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         if (slice.labelled() > 0) {
             catchUp();
@@ -88,14 +88,14 @@ final class RefinedMethod implements Method {
         stack.adopt();
     }
 
-    /** Learns from the last slice of a dense time, too, before what follows it is labelled. */
+    /** Learns from the last slice of a dense time as well, before the events that follow are labelled. */
     private void catchUp() {
         learn();
         learning.await();
         stack.adopt();
     }
 
-    /** Tracks what was found in the slice before, and gives the one that is over to the flow plane. */
+    /** Tracks the structures found in the slice before, and gives the finished slice to the flow plane. */
     private void learn() {
         learning.await();
         slice.offer(expecting);

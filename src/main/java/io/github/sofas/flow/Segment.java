@@ -1,18 +1,18 @@
 package io.github.sofas.flow;
 
 /**
- * What is known of one track plane: a structure that moves as a whole. Immutable, a snapshot.
+ * An immutable snapshot of one track plane: a structure that moves as a whole.
  *
- * @param id from 1, never used again before a reset
+ * @param id from 1; not used again before a reset
  * @param firstTimeUs time of its first event in µs
  * @param lastTimeUs time of its last event in µs
- * @param events how many events were assigned to it, and to those that were merged into it
+ * @param events number of events that were assigned to it, and to the segments that were merged into it
  * @param vxPxPerS last velocity to the right in px/s
  * @param vyPxPerS last velocity downwards in px/s
  * @param turnRadPerS last rotation in rad/s, positive clockwise as seen; 0 where none shows
- * @param growthPerS last growth in 1/s, half the divergence of its flow; 0 where none shows. Of what comes nearer
- *     1/growth is the time to contact
- * @param minX leftmost column of its contour at its last event; the box is on the sensor
+ * @param growthPerS last growth in 1/s, half the divergence of its flow; 0 where none shows. For a structure that comes
+ *     nearer, 1/growth is the time to contact
+ * @param minX leftmost column of its contour at its last event; the box is clipped to the sensor
  * @param minY topmost row
  * @param maxX rightmost column, inclusive
  * @param maxY bottom row, inclusive

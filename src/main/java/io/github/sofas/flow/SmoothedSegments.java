@@ -13,19 +13,19 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 
 /**
- * Segments as look-ahead has them: under their labels, with the events that were given back of them; the end of one is
- * told once all of its events were given.
+ * The segments as look-ahead reports them: under their labels, each with those of its events that were given back. The
+ * end of a segment is reported once all of its events were given back.
  */
 final class SmoothedSegments {
     private final Smoother smoother;
     private final Consumer<Segment> ended;
-    /** Segments of which the engine has told, and not that they ended. */
+    /** Segments that the engine has measured and not yet ended. */
     private final Set<Integer> living = new TreeSet<>();
-    /** What ended last of each label, which may have events still. */
+    /** The segment that ended last, by label; more events with that label may follow. */
     private final Map<Integer, Segment> ending = new LinkedHashMap<>();
     private final Map<Integer, Tally> tallies = new HashMap<>();
 
-    /** What was given back of a segment. */
+    /** The events of a segment that were given back. */
     private static final class Tally {
         private long firstUs = Long.MAX_VALUE;
         private long lastUs = Long.MIN_VALUE;
@@ -51,7 +51,7 @@ final class SmoothedSegments {
         }
     }
 
-    /** Makes it without segments; ended gets each that ended. */
+    /** Begins without segments; {@code ended} gets each segment that ended. */
     SmoothedSegments(Smoother smoother, Consumer<Segment> ended) {
         this.smoother = smoother;
         this.ended = ended;
@@ -74,7 +74,7 @@ final class SmoothedSegments {
         }
     }
 
-    /** Counts events that are given back, and tells of what is over by then. */
+    /** Counts events that are given back, and reports the segments that are over by then. */
     void give(EventBatch batch, FlowOutput flow) {
         Tally tally = null;
         int tallied = 0;
@@ -109,7 +109,7 @@ final class SmoothedSegments {
         }
         boolean isAnyTold;
         do {
-            // what waited for one that was told of now may be told of, too
+            // a segment that waited for one just reported may be over now, too
             isAnyTold = tellOfEnded(alive);
         } while (isAnyTold);
     }
@@ -135,10 +135,10 @@ final class SmoothedSegments {
         return isAnyTold;
     }
 
-    /** Whether another label merged into one and may have events still, which count for that one. */
+    /** Whether another label that merged into this one may still have events, which count for this one. */
     private boolean awaitsMerged(int label) {
         for (int other : ending.keySet()) {
-            // of two that merged into each other, known again in between, neither waits
+            // two labels that merged into each other, with a recognition in between, do not wait for each other
             if (other != label && mergedInto(other, label) && !mergedInto(label, other)) {
                 return true;
             }
@@ -150,7 +150,7 @@ final class SmoothedSegments {
         return ending.get(label).fate() == Segment.Fate.MERGED && smoother.endOf(label) == other;
     }
 
-    /** Whether the events of a label that has ended go by another one. */
+    /** Whether the events of a label that has ended go under another label now. */
     private boolean wasJoined(int label) {
         return ending.get(label).fate() != Segment.Fate.MERGED && smoother.label(label) != label;
     }
@@ -159,7 +159,7 @@ final class SmoothedSegments {
         return a.lastTimeUs() >= b.lastTimeUs() ? a : b;
     }
 
-    /** The segments that the engine tracks, as they are known here. */
+    /** The segments that the engine tracks, as look-ahead knows them. */
     List<Segment> living(List<Segment> tracked) {
         Map<Integer, Segment> newest = new LinkedHashMap<>();
         for (Segment segment : tracked) {

@@ -10,10 +10,10 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * {@link Sofas} with look-ahead: labels of events that know what came after them. What the engine measures over a
- * window is taken for the window's middle, so that velocities do not lag; the events by which a structure was found are
- * labelled with it; and where several structures may have an event, it goes to the one along whose motion its edge came
- * and went ({@link io.github.sofas.flow.smooth.Smoother}).
+ * {@link Sofas} with look-ahead: the label of an event also depends on the events that follow it. A motion that the
+ * engine measures over a window is taken for the window's middle, so that velocities do not lag. The events by which a
+ * structure was found are labelled with that structure. An event that several structures may have goes to the one along
+ * whose motion its edge came and went ({@link io.github.sofas.flow.smooth.Smoother}).
  *
  * <pre>{@code
  * SmoothedSofas sofas = new SmoothedSofas(sensor, SofasParameters.defaults(), 200_000);
@@ -24,13 +24,13 @@ import java.util.function.Consumer;
  * sofas.finish();                               // and next() for the rest
  * }</pre>
  *
- * <p>An event is given back once the look-ahead and a quarter of it have passed in the time of the events, and earlier
- * where there are more than {@value Smoother#MOST_EVENTS} events in a quarter of the look-ahead: memory is bounded, by
- * 64 MB beyond that of the engine where events are taken as soon as they can be. Labels depend on the events only.
+ * <p>An event is given back once 1.25 times the look-ahead has passed in the time of the events, or earlier where a
+ * quarter of the look-ahead holds more than {@value Smoother#MOST_EVENTS} events. Memory is therefore bounded: at most
+ * 64 MB beyond that of the engine, if events are taken as soon as they can be. Labels depend on the events only.
  *
- * <p>For one thread at a time, or for two: {@link #label} runs the engine, and what it gives is looked at from both
- * sides by {@link #add(CausalBatch)}, {@link #finish} and {@link #next}, which one other thread may call meanwhile. The
- * labels are the same. Instances share nothing.
+ * <p>For one thread at a time, or for two. {@link #label} runs the engine. One other thread may meanwhile call
+ * {@link #add(CausalBatch)}, {@link #finish} and {@link #next}, which look at the results from both sides. The labels
+ * are the same either way. Instances share nothing.
  */
 public final class SmoothedSofas implements Labelling {
     /** Shortest look-ahead in µs. */
@@ -40,18 +40,18 @@ public final class SmoothedSofas implements Labelling {
 
     private static final int PART = 4096;
 
-    // of the first step
+    // the first step: labelling as a camera would
     private final Sofas sofas;
     private final SliceClock clock;
     private final EventBatch part = new EventBatch(PART);
     private final FlowOutput causal = new FlowOutput(PART);
     private long newestUs = Long.MIN_VALUE;
-    /** What the engine finds goes there. */
+    /** Takes what the engine finds. */
     private CausalBatch found;
-    // of the second
+    // the second step: looking from both sides
     private final Smoother smoother;
     private final SmoothedSegments segments;
-    /** Hands the first step's results to the second where both are one. */
+    /** Hands results from the first step to the second where one call does both. */
     private final CausalBatch own = new CausalBatch();
 
     /**
@@ -61,7 +61,7 @@ public final class SmoothedSofas implements Labelling {
      * @param parameters of the {@code default} preset
      * @param lookAheadUs time after an event that its label may depend on, in µs, {@value #MIN_LOOK_AHEAD_US} to
      *     {@value #MAX_LOOK_AHEAD_US}
-     * @throws IllegalArgumentException where the preset is another, or the look-ahead is outside its range
+     * @throws IllegalArgumentException if the preset is another one, or the look-ahead is outside its range
      */
     public SmoothedSofas(SensorSize sensor, SofasParameters parameters, long lookAheadUs) {
         this(sensor, parameters, lookAheadUs, segment -> { });
@@ -74,9 +74,9 @@ public final class SmoothedSofas implements Labelling {
      * @param parameters of the {@code default} preset
      * @param lookAheadUs time after an event that its label may depend on, in µs, {@value #MIN_LOOK_AHEAD_US} to
      *     {@value #MAX_LOOK_AHEAD_US}
-     * @param ended gets each segment that ended, once all of its events can be taken, from within {@link #next}; it
-     *     must not call the engine
-     * @throws IllegalArgumentException where the preset is another, or the look-ahead is outside its range
+     * @param ended gets each segment that ended, once all of its events can be taken; called from within
+     *     {@link #next}, and must not call the engine
+     * @throws IllegalArgumentException if the preset is another one, or the look-ahead is outside its range
      */
     public SmoothedSofas(SensorSize sensor, SofasParameters parameters, long lookAheadUs, Consumer<Segment> ended) {
         if (parameters.preset() != SofasParameters.Preset.DEFAULT) {
@@ -93,10 +93,9 @@ public final class SmoothedSofas implements Labelling {
     }
 
     /**
-     * {@return the upper bound of the memory that is held, in bytes, whatever the events and the look-ahead} It is that
-     * of the engine and, where events are taken as soon as they can be, at most 64 MB more on a sensor of 346 x 260 px:
-     * 37 bytes for each of 2^20 events, and 28 for each pixel, 12 more for each of 655,360 events and what is measured
-     * of them.
+     * {@return the upper bound of the memory that is held, in bytes, whatever the events and the look-ahead} It is the
+     * memory of the engine and, if events are taken as soon as they can be, that of the look-ahead: at most 64 MB more
+     * on a sensor of 346 x 260 px, most of it for a million events.
      *
      * @param sensor size of the pixel array
      * @param parameters of the {@code default} preset
@@ -106,9 +105,9 @@ public final class SmoothedSofas implements Labelling {
     }
 
     /**
-     * Has a part of the engine's work done beside the thread that labels, as {@link Sofas#helpedBy} does.
+     * Has a helper do a part of the engine's work beside the labelling thread, as {@link Sofas#helpedBy} does.
      *
-     * @param helper runs what it is given, in another thread; null for none
+     * @param helper runs the tasks that it is given, in another thread; null for none
      */
     public void helpedBy(Consumer<Runnable> helper) {
         sofas.helpedBy(helper);
@@ -123,10 +122,10 @@ public final class SmoothedSofas implements Labelling {
     }
 
     /**
-     * The first of two steps that {@link #add(EventBatch)} does at once: labels events as a camera would.
+     * Labels events as a camera would: the first of the two steps that {@link #add(EventBatch)} does at once.
      *
-     * @param batch events that are not earlier than those before; one outside the sensor gets no flow
-     * @param to gets what the second step needs; up to a few thousand of the newest events are handed over later
+     * @param batch events that are not earlier than those before; an event outside the sensor gets no flow
+     * @param to gets the input of the second step; up to a few thousand of the newest events are handed over later
      */
     public void label(EventBatch batch, CausalBatch to) {
         label(batch, 0, batch.size(), to);
@@ -164,17 +163,15 @@ public final class SmoothedSofas implements Labelling {
     }
 
     /**
-     * The second of two steps: looks at labelled events from both sides.
+     * Looks at labelled events from both sides: the second of the two steps.
      *
-     * @param labelled what {@link #label} gave, batch after batch
+     * @param labelled results of {@link #label}, batch after batch
      */
     public void add(CausalBatch labelled) {
         labelled.replay(smoother::add);
     }
 
-    /**
-     * {@inheritDoc} Where there are two threads, the first step is over by then, and all that it gave was added.
-     */
+    /** {@inheritDoc} With two threads, call it once the first step is over and all of its results were added. */
     @Override
     public void finish() {
         own.clear();
@@ -191,8 +188,8 @@ public final class SmoothedSofas implements Labelling {
     }
 
     /**
-     * Segments that are tracked at the newest event, with the events that were given back of them. Where there are two
-     * threads, the first step is over by then.
+     * Segments that are tracked at the newest event, each with the events of it that were given back. With two threads,
+     * call it once the first step is over.
      */
     @Override
     public List<Segment> segments() {

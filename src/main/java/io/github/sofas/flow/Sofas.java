@@ -8,8 +8,9 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * Labels every event of a sensor with flow and segment (paper, section Algorithm): an event goes to the track plane
- * that expects it, else to the flow plane, which makes new track planes.
+ * Labels every event of a sensor with its flow and its segment (paper, section Algorithm). An event goes to the track
+ * plane that expects it. An event that no track plane expects goes to the flow plane, which finds new structures and
+ * makes track planes of them.
  *
  * <pre>{@code
  * Sofas sofas = new Sofas(new SensorSize(240, 180), SofasParameters.defaults());
@@ -22,19 +23,21 @@ import java.util.function.Consumer;
  * <p>Results do not depend on how the events are cut into batches, nor on whether another thread helps
  * ({@link #helpedBy}).
  *
- * <p>Any thread may call any method at any time: what it asks is done between two batches, and waits for the one that
- * is being labelled ({@link #setParameters} and {@link #parameters} do not wait). Engines share nothing. Batches and
- * outputs are the caller's: no two threads may use one at once.
+ * <p>Any thread may call any method at any time. A call takes effect between two batches, and waits until the current
+ * batch is labelled; {@link #setParameters} and {@link #parameters} do not wait. Engines share nothing. Batches and
+ * outputs belong to the caller, and no two threads may use the same one at once.
  */
 public final class Sofas implements EventLabeller {
-    /** Objects, headers of arrays, arrays by projection and by block: all that does not grow with the events. */
+    /**
+     * Objects, headers of arrays, arrays per projection and per block: everything that does not grow with the events.
+     */
     private static final long FIXED_BYTES = 1 << 20;
 
     private final SensorSize sensor;
     private final Consumer<Segment> ended;
     private final MeasuredMotions measured;
     private Consumer<Runnable> helper;
-    /** What the next batch is to be labelled with; any thread may write it. */
+    /** Parameters that the next batch is to be labelled with; any thread may write them. */
     private volatile SofasParameters parameters;
     private SofasParameters inUse;
     private Method method;
@@ -46,7 +49,7 @@ public final class Sofas implements EventLabeller {
      * Makes an engine for a sensor.
      *
      * @param sensor size of the pixel array
-     * @param parameters what events are labelled with
+     * @param parameters parameters to label events with
      */
     public Sofas(SensorSize sensor, SofasParameters parameters) {
         this(sensor, parameters, segment -> { });
@@ -56,15 +59,15 @@ public final class Sofas implements EventLabeller {
      * Makes an engine that also reports segments when they end.
      *
      * @param sensor size of the pixel array
-     * @param parameters what events are labelled with
-     * @param ended gets each segment whose track plane was merged into another or removed, from within
-     *     {@link #process} or {@link #reset}; it must not call the engine
+     * @param parameters parameters to label events with
+     * @param ended gets each segment whose track plane was merged into another or removed; called from within
+     *     {@link #process} or {@link #reset}, and must not call the engine
      */
     public Sofas(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended) {
         this(sensor, parameters, ended, (segment, motion) -> { });
     }
 
-    /** Makes an engine that also tells of each motion that it measures; the default preset only. */
+    /** Makes an engine that also reports each motion that it measures, with the default preset only. */
     Sofas(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended, MeasuredMotions measured) {
         this.sensor = sensor;
         this.parameters = parameters;
@@ -118,14 +121,14 @@ public final class Sofas implements EventLabeller {
     }
 
     /**
-     * Labels from the next batch on with other parameters; any thread may ask for it at any time.
+     * Uses other parameters from the next batch on; any thread may call this at any time.
      *
-     * <p>Segments are tracked on under their ids wherever the change allows it. Where it changes what the flow plane
-     * looks for, the events that wait there are forgotten; where fewer track planes are allowed, the excess ends; of
-     * the paper preset, all segments end where the velocity scale changes or the size of its accumulators. Another
-     * preset begins anew, as {@link #reset} does.
+     * <p>Segments continue under their ids wherever the change allows it. Where the change affects what the flow plane
+     * looks for, the flow plane forgets the events that it holds. Where fewer track planes are allowed, the excess
+     * ends. With the paper preset, all segments end if the velocity scale changes, or the size of the accumulators.
+     * Another preset begins anew, as {@link #reset} does.
      *
-     * @param parameters what events are labelled with
+     * @param parameters parameters to label events with
      */
     public void setParameters(SofasParameters parameters) {
         this.parameters = Objects.requireNonNull(parameters, "parameters");
@@ -145,11 +148,11 @@ public final class Sofas implements EventLabeller {
     /**
      * Labels the events of a batch.
      *
-     * <p>An event outside the sensor gets no flow and is counted by {@link #eventsOutside()}. Time that steps back is
-     * taken as the newest time so far, and counted by {@link #eventsBackwards()}.
+     * <p>An event outside the sensor gets no flow, and {@link #eventsOutside()} counts it. An event whose time steps
+     * back is labelled at the newest time so far, and {@link #eventsBackwards()} counts it.
      *
-     * @param batch polarity above 0 is ON, any other OFF
-     * @throws IllegalArgumentException where the batch holds more events than the output
+     * @param batch polarity above 0 is ON, any other is OFF
+     * @throws IllegalArgumentException if the batch holds more events than the output
      */
     @Override
     public synchronized void process(EventBatch batch, FlowOutput output) {
@@ -182,8 +185,8 @@ public final class Sofas implements EventLabeller {
     /**
      * {@inheritDoc}
      *
-     * <p>With the default preset, what labels follow from is learnt there while the next events are labelled; the paper
-     * preset has no use for help.
+     * <p>With the default preset, the helper searches the flow plane while the next events are labelled. The paper
+     * preset makes no use of a helper.
      */
     @Override
     public synchronized void helpedBy(Consumer<Runnable> newHelper) {
@@ -197,18 +200,18 @@ public final class Sofas implements EventLabeller {
         return method.segments();
     }
 
-    /** {@return the metrics of the flow plane as they are now, to be shown} */
+    /** {@return the present metrics of the flow plane, for display} */
     public synchronized MetricArray metricArray() {
         return method.metricArray();
     }
 
     /**
-     * Shows where the contour of a segment is at the newest event: the pixels on which its track plane expects its
-     * events. Only looks: results do not depend on it, and it allocates nothing.
+     * Reports the contour of a segment at the newest event: the pixels on which its track plane expects its events.
+     * This only reads: results do not depend on it, and it allocates nothing.
      *
-     * @param id of one of {@link #segments}; any other has no pixels
-     * @param pixels gets each pixel on the sensor, in no particular order, some more than once; it must not call the
-     *     engine
+     * @param id of one of {@link #segments}; any other id has no pixels
+     * @param pixels gets each of its pixels on the sensor, in no particular order and some more than once; must not
+     *     call the engine
      */
     public synchronized void contour(int id, PixelConsumer pixels) {
         method.contour(id, newestUs, pixels);
@@ -224,7 +227,7 @@ public final class Sofas implements EventLabeller {
         return backwards;
     }
 
-    /** Forgets all events and segments, as if made anew; the living segments end as removed. */
+    /** Forgets all events and segments, as if the engine were new; the living segments end as removed. */
     @Override
     public synchronized void reset() {
         method.reset();

@@ -3,21 +3,21 @@ package io.github.sofas.flow;
 import java.util.Map;
 
 /**
- * Every parameter of the method, immutable and checked, in groups by what they are about. A parameter is declared here
- * and nowhere else, with meaning, unit, range and its value in both presets ({@link Parameter}); what is to be
- * the same for all recordings is no parameter, but a constant of the class that uses it.
+ * Every parameter of the method, immutable and checked, grouped by subject. A parameter is declared here and nowhere
+ * else, with its meaning, unit, range and value in both presets ({@link Parameter}). A number that is to be the same
+ * for all recordings is not a parameter, but a constant of the class that uses it.
  *
  * <pre>{@code
  * SofasParameters.defaults().with("lifetimePx", 3).with("rotation", false)
  * }</pre>
  *
- * <p>Two presets: {@link #paper()} is the method as published, {@link #defaults()} what is most accurate and fast. A
- * parameter that has a value in one of them only serves that one only.
+ * <p>There are two presets: {@link #paper()} is the method as published, {@link #defaults()} the most accurate and
+ * fastest one. A parameter that has a value in only one of them is used by that one only.
  *
- * @param preset which of the two methods the others belong to
+ * @param preset which of the two methods the other parameters are for
  * @param search how new structures are looked for
  * @param track how structures are tracked
- * @param published what the paper preset only needs
+ * @param published what only the paper preset needs
  */
 public record SofasParameters(
     Preset preset,
@@ -25,11 +25,13 @@ public record SofasParameters(
     @Parameter.Group("track planes") Track track,
     @Parameter.Group("paper preset only") Published published) {
 
-    /** Made once: making one takes reflection, and a command asks for them as often as it has parameters. */
+    /**
+     * The presets, made once: making one takes reflection, and a command asks for them once for each of its parameters.
+     */
     private static final Map<Preset, SofasParameters> PRESETS = Map.of(
         Preset.PAPER, ParameterHandle.preset(Preset.PAPER), Preset.DEFAULT, ParameterHandle.preset(Preset.DEFAULT));
 
-    /** Which method. */
+    /** The method that labels events. */
     public enum Preset {
         /** As published: nearest cells, signed votes, hits. */
         PAPER,
@@ -100,7 +102,7 @@ public record SofasParameters(
         double minShare) {
     }
 
-    /** What the paper preset only needs. */
+    /** What only the paper preset needs. */
     public record Published(
         @Parameter(value = "speed of a projection at 45 degrees",
             origin = "ours, because the paper leaves the unit of time open",
@@ -115,11 +117,11 @@ public record SofasParameters(
     /**
      * Checks every parameter.
      *
-     * @param preset which of the two methods the others belong to
+     * @param preset which of the two methods the other parameters are for
      * @param search how new structures are looked for
      * @param track how structures are tracked
-     * @param published what the paper preset only needs
-     * @throws IllegalArgumentException where one is outside its range; the message names it
+     * @param published what only the paper preset needs
+     * @throws IllegalArgumentException if a parameter is outside its range; the message names it
      */
     public SofasParameters {
         if (preset == null) {
@@ -148,32 +150,32 @@ public record SofasParameters(
     }
 
     /**
-     * {@return the same with another value of one number}
+     * {@return the same parameters with another value of one number}
      *
-     * @param name of a parameter, as {@code lifetimePx}
+     * @param name of a parameter, such as {@code lifetimePx}
      * @param value its new value
-     * @throws IllegalArgumentException where none is called so, it is a switch, or the value is outside its range
+     * @throws IllegalArgumentException if no parameter has that name, it is a switch, or the value is outside its range
      */
     public SofasParameters with(String name, double value) {
         return with(Map.of(name, value));
     }
 
     /**
-     * {@return the same with another position of one switch}
+     * {@return the same parameters with another position of one switch}
      *
-     * @param name of a parameter, as {@code rotation}
+     * @param name of a parameter, such as {@code rotation}
      * @param value its new value
-     * @throws IllegalArgumentException where none is called so, or it is a number
+     * @throws IllegalArgumentException if no parameter has that name, or it is a number
      */
     public SofasParameters with(String name, boolean value) {
         return with(Map.of(name, value));
     }
 
     /**
-     * {@return the same with other values of several parameters, which may bound each other}
+     * {@return the same parameters with other values of several, which may bound each other}
      *
      * @param values a Number or a Boolean by the name of its parameter
-     * @throws IllegalArgumentException where a name is none, or a value is wrong
+     * @throws IllegalArgumentException if no parameter has one of the names, or a value is wrong
      */
     public SofasParameters with(Map<String, ?> values) {
         return ParameterHandle.set(this, values);

@@ -3,67 +3,71 @@ package io.github.sofas.flow.fit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * The acceleration of a structure, of which each window tells something, believed as far as it passes what noise could
- * be: along the axis that is known best and across it, each by itself.
+ * The acceleration of a structure, estimated from one window after another. It is believed as far as it exceeds what
+ * noise could be, separately along the best known axis and across it.
  *
- * <p>Of a plane, which is large and has many events, both axes are known alike unless it is a straight edge, and the
- * better one is now this, now that: its acceleration is one vector. So many events tell its change, too, the jerk.
- * Without it the acceleration is that of the middle of the window, and a camera moved by hand turns round within two or
- * three of these.
+ * <p>A plane is large and has many events. Both of its axes are known alike, unless it is a straight edge, and the best
+ * known axis changes from window to window. Its acceleration is therefore believed as one vector. So many events also
+ * show the change of the acceleration, the jerk. Without the jerk, the acceleration is that of the middle of the
+ * window, and a camera moved by hand reverses within two or three windows.
  */
 final class AccelerationFit {
-    /** Share of a newly measured acceleration that is taken over: successive windows share most events. */
+    /** Share of a newly measured acceleration that is adopted: successive windows share most of their events. */
     private static final double GAIN = 0.5;
-    /** The same of a plane, of which two windows are told by different events. */
+    /** The same for a plane, whose successive windows are measured from different events. */
     private static final double PLANE_GAIN = 0.8;
     /**
-     * Shift of the end of the window by a new acceleration that is half taken over at once, in px: of many events, and
-     * what the fewness of events adds, by their number.
+     * Shift of the end of the window, in px, by a new acceleration at which half of what {@link #GAIN} leaves is
+     * adopted at once, too ({@link Belief#taken}): for many events, and the addition for few events, which is divided
+     * by their number.
      */
     private static final double NEWS_PX = 0.16;
     private static final double EVENT_NEWS_PX = 300;
     /**
-     * Shift at the end of the window that may be noise: most motion is steady. Steady structures of 2,000 events and
-     * more show 0.02 px; a camera that moves by hand bends by 0.13 px in a window.
+     * Shift at the end of the window, in px, that may be noise: most motion is steady. Steady structures of 2,000
+     * events or more show 0.02 px; the path of a camera moved by hand bends by 0.13 px in a window.
      */
     private static final double NOISE_PX = 0.04;
-    /** The same while a structure that was just found settles. */
+    /** The same while a new structure settles. */
     private static final double SETTLING_PX = 0.07;
     /**
-     * What a single event would add to that, in px; many add less, by their number, because they meet by its square.
-     * Found by a ball before a DVS128, of which 150 events showed accelerations of 4,000 px/s² to and fro.
+     * What a single event would add to that noise, in px. Several events add that part divided by their number n,
+     * because their meetings grow with n². Found with a ball before a DVS128, whose 150 events showed accelerations of
+     * 4,000 px/s² back and forth.
      */
     private static final double EVENT_PX = 45;
-    /** Knowledge of the other axis, as a share of the best known, from which on both are known alike. */
+    /** Knowledge of the second axis, as a share of that of the best known one, from which both count as known alike. */
     private static final double ALIKE = 0.2;
-    /** Shift at the end of the window that may be noise of the acceleration of a plane, in px. */
+    /** Shift at the end of the window, in px, that may be noise in the acceleration of a plane. */
     private static final double PLANE_PX = 0.06;
-    /** The same of its jerk, beside what its accelerations scatter by: those of real edges swing to and fro. */
+    /** The same for its jerk, in addition to the scatter of its accelerations: those of real edges oscillate. */
     private static final double JERK_PX = 0.02;
     /**
-     * Share of the jerk that is taken on from the middle of the window. A velocity that fits all of the window has a
-     * fifth of what the jerk adds until its end already.
+     * Share of the jerk that is carried on from the middle of the window. A velocity fitted to the whole window already
+     * includes a fifth of what the jerk adds until its end.
      */
     private static final double JERK_SHARE = 0.8;
-    /** Knowledge of a change, as a share of the best known, at which it counts half. */
+    /**
+     * Knowledge across the best known axis, as a share of that along it, at which an acceleration across counts half.
+     */
     private static final double FLAT = 0.1;
 
-    // as measured, before what may be noise is left out
+    // as measured, before possible noise is removed
     private double along;
     private double across;
-    /** The acceleration across as far as it is known. */
+    /** The acceleration across, weighted by how well it is known. */
     private double shownAcross;
-    // the axis that was known best last
+    // the best known axis of the last measurement
     private double axisX;
     private double axisY;
-    /** How clearly the acceleration along shows, in standard deviations of the metric. */
+    /** How clearly the acceleration along that axis shows, in standard deviations of the metric. */
     private double sigmas;
-    /** Whether it is that of a plane, of which both axes are known alike. */
+    /** Whether the acceleration is that of a plane whose axes are both known alike. */
     private boolean isVector;
     private final SeriesSlope jerkX = new SeriesSlope();
     private final SeriesSlope jerkY = new SeriesSlope();
 
-    /** Begins with none. */
+    /** Begins with no acceleration. */
     void restart() {
         along = 0;
         across = 0;
@@ -77,11 +81,11 @@ final class AccelerationFit {
     }
 
     /**
-     * Measures it, and gives it to the motion.
+     * Measures the acceleration, and sets it in the motion.
      *
      * @param half half the window in s
-     * @param perSpeed acceleration of each velocity that needs no showing, in 1/s
-     * @param settles whether the structure was just found: corrections of its first velocity look like accelerations
+     * @param perSpeed acceleration per unit of velocity that is assumed without evidence, in 1/s
+     * @param settles whether the structure is new: corrections of its first velocity look like accelerations
      */
     void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double perSpeed, boolean settles,
                  boolean isPlane) {
@@ -103,7 +107,7 @@ final class AccelerationFit {
             / MetricFit.sd(loss.metric);
         double stepAcross = fit.changes().acceleration(-axisY, axisX, h).step();
         across += gain * (wasY * axisX - wasX * axisY + stepAcross - across);
-        // along a straight edge nothing is known, of acceleration still less than of velocity
+        // along a straight edge, nothing is known of the velocity, and still less of the acceleration
         double shown = MetricFit.shown(loss.flatness(), FLAT);
         shownAcross = across * shown;
         double inDepthAlong = perSpeed * (motion.vx * axisX + motion.vy * axisY);
@@ -125,7 +129,7 @@ final class AccelerationFit {
         }
     }
 
-    /** Tells what was measured along and across other axes from now on. */
+    /** Expresses the measured acceleration along and across other axes from now on. */
     private void turnTo(double nextX, double nextY) {
         double x = measuredX();
         double y = measuredY();
@@ -145,7 +149,7 @@ final class AccelerationFit {
         motion.jerkY = y * share;
     }
 
-    /** Takes the motion for one of a steady velocity. */
+    /** Treats the motion as one of constant velocity. */
     void leaveOut(Motion motion) {
         restart();
         motion.ax = 0;
@@ -154,7 +158,7 @@ final class AccelerationFit {
         motion.jerkY = 0;
     }
 
-    /** Keeps a share of it where nothing can be measured. */
+    /** Keeps a share of the acceleration where nothing can be measured. */
     void hold(Motion motion, double share) {
         along *= share;
         across *= share;
@@ -167,12 +171,12 @@ final class AccelerationFit {
         jerkY.hold(share);
     }
 
-    /** Whether it is that of a plane, of which both axes are known alike. */
+    /** Whether the acceleration is that of a plane whose axes are both known alike. */
     boolean isVector() {
         return isVector;
     }
 
-    /** As it was measured, before what may be noise is left out, to the right in px/s². */
+    /** The measured acceleration to the right, before possible noise is removed, in px/s². */
     double measuredX() {
         return along * axisX - across * axisY;
     }
@@ -182,14 +186,14 @@ final class AccelerationFit {
         return along * axisY + across * axisX;
     }
 
-    /** As it was measured, as far as it is known, in px/s². */
+    /** Magnitude of the measured acceleration, with the part across weighted by how well it is known, in px/s². */
     double measured() {
         return Math.hypot(along, shownAcross);
     }
 
     /**
-     * How clearly it shows along the best known axis: what the metric falls by towards none, at the distance of the
-     * projections that measure it, in standard deviations of the metric. Noise has 0.4.
+     * How clearly the acceleration shows along the best known axis: the fall of the metric towards no acceleration,
+     * over the distance of the projections that measure it, in standard deviations of the metric. Noise has 0.4.
      */
     double sigmas() {
         return sigmas;

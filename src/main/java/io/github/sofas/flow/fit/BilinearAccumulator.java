@@ -3,24 +3,25 @@ package io.github.sofas.flow.fit;
 import java.util.Arrays;
 
 /**
- * A set of events that vote on a grid of cells, again and again under other motions, and the metric of their votes
- * (paper, section Structure Detection).
+ * A set of events that vote on a grid of cells, and the metric of their votes (paper, section Structure Detection). The
+ * events vote anew under each motion that is tried.
  *
- * <p>Two differences from the paper's metric, ours because they decide the accuracy. An event votes for the four cells
- * around its projection by its nearness (bilinear): nearest cells leave a plateau of ties a tenth of the velocity wide.
- * And the metric leaves out what an event adds by meeting itself, w² of 2 w f + w²: that part says nothing of the
- * velocity, and rewards projections that let events fall on whole pixels, zero velocity above all.
+ * <p>Two differences from the paper's metric are ours, because they decide the accuracy. First, an event votes for the
+ * four cells around its projection, weighted by nearness (bilinear); nearest cells leave a plateau of ties a tenth of
+ * the velocity wide. Second, the metric leaves out what an event adds by meeting itself, the w² of 2 w f + w². That
+ * part says nothing about the velocity, and rewards projections that put events on whole pixels, zero velocity above
+ * all.
  */
 final class BilinearAccumulator {
     /** Positions are in sixteenths of a cell. */
     static final int SUB = 16;
     static final int SUB_BITS = 4;
-    /** Bits below the cell: an event that has no vote, one that is OFF, its place in the cell. */
+    /** Bits below the cell in the key of an event: a flag for no vote, a flag for OFF, and the place in the cell. */
     static final int KEY_BITS = 2 * SUB_BITS + 2;
     static final int KEYS = 1 << KEY_BITS;
     static final int NONE = 1 << 2 * SUB_BITS + 1;
     static final int OFF = 1 << 2 * SUB_BITS;
-    // votes for the four cells around a place, 0 where there are none
+    // votes for the four cells around a place, by key; 0 for keys without a vote
     static final int[] VOTE_00 = new int[KEYS];
     static final int[] VOTE_10 = new int[KEYS];
     static final int[] VOTE_01 = new int[KEYS];
@@ -38,19 +39,19 @@ final class BilinearAccumulator {
         }
     }
 
-    /** Most cells around the events, for their shifts; twice the greatest distance of projections and a step. */
+    /** Most cells beside the events, for their shifts: twice the greatest distance of projections and a step. */
     private static final int MOST_BORDER = 20;
-    /** Shifts are worked out in parts of a position of 2^-this. */
+    /** Shifts are computed in parts of a position, of 2^-{@value} each. */
     private static final int PART_BITS = 21;
     private static final int HALF = 1 << PART_BITS - 1;
-    /** Most parts that a shift of 1 may be: 64 cells for the event that is shifted most, far off the grid. */
+    /** Most parts in a shift of 1: 64 cells for the event that is shifted most, which is far off the grid. */
     private static final double MOST_PARTS = (1 << 31 - ShiftProfile.BITS) - 1;
-    /** Most cells for each event of {@link DenseVotes}: looking through more costs what voting spares. */
+    /** Most cells per event for which {@link DenseVotes} is used: scanning more cells costs what the voting saves. */
     private static final int DENSE_CELLS = 4;
-    /** Most places that a structure tensor is added up from, in whole rows: as many as a sample has events. */
+    /** Most places that a structure tensor is summed over, in whole rows: about as many as a sample has events. */
     private static final int MOST_PLACES = 4096;
 
-    /** Positions a pixel. */
+    /** Positions per pixel. */
     private final float scale;
     private final int mostOnBoth;
     // events: position, and vote
@@ -60,7 +61,7 @@ final class BilinearAccumulator {
     private final int[] sign;
     private int size;
     private long votes;
-    // where they are shifted to; then cell, sign and place in the cell instead of the first
+    // shifted positions; then the first array holds keys instead: cell, sign and place in the cell
     private final int[] at;
     private final int[] atY;
 
@@ -70,7 +71,7 @@ final class BilinearAccumulator {
     private final DenseVotes dense = new DenseVotes();
     private final TimedVotes timed;
     private final InSight inSight;
-    /** For votes of every other event. */
+    /** Votes of every other event, where the events make two pictures. */
     private final int[] others;
     // box of the events
     private int lowX;
@@ -86,9 +87,9 @@ final class BilinearAccumulator {
     /**
      * Makes a grid.
      *
-     * @param mostOnBoth most events that vote on two grids half a cell apart: on one alone, an edge thinner than a cell
-     *     has up to twice the metric in the middle of a cell that it has between two, and its true velocity may look
-     *     worst; places of many events average out
+     * @param mostOnBoth most events that vote on two grids half a cell apart. On one grid alone, an edge thinner than a
+     *     cell has up to twice the metric in the middle of a cell that it has between two cells, and its true velocity
+     *     may look worst. The places of many events average out.
      */
     BilinearAccumulator(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
         this.mostOnBoth = mostOnBoth;
@@ -136,7 +137,7 @@ final class BilinearAccumulator {
         inSight.clear();
     }
 
-    /** Which cells are in sight for how long; of everything all the time, until it is told. */
+    /** How long each cell is in sight: all of the window, unless a border cuts events off. */
     InSight inSight() {
         return inSight;
     }
@@ -149,17 +150,17 @@ final class BilinearAccumulator {
         sign[i] = polarity > 0 ? 0 : OFF;
     }
 
-    /** Column of an event in px, to a part of a cell. */
+    /** Column of an event in px, rounded to a part of a cell. */
     double x(int i) {
         return placeX[i] / scale;
     }
 
-    /** The same, the row. */
+    /** The same for the row. */
     double y(int i) {
         return placeY[i] / scale;
     }
 
-    /** Finds the box of the events, which the grid is laid around. */
+    /** Finds the box of the events, around which the grid is laid. */
     void lay() {
         lowX = Integer.MAX_VALUE;
         lowY = Integer.MAX_VALUE;
@@ -174,8 +175,8 @@ final class BilinearAccumulator {
     }
 
     /**
-     * Lays the grid around the events with as much room as their shifts need: a small grid is emptied soon, and stays
-     * in the first-level cache.
+     * Lays the grid around the events, with as much room as their shifts need: a small grid is quick to empty, and
+     * stays in the first-level cache.
      */
     private void layWith(int borderX, int borderY) {
         originX = (lowX & -SUB) - borderX * SUB;
@@ -184,21 +185,24 @@ final class BilinearAccumulator {
         rows = Math.min(height, (highY - lowY) / SUB + 3 + 2 * borderY);
     }
 
-    /** Cells that hold the shifts by so many parts of a profile, and half a cell. */
+    /** Number of cells that hold a shift by some parts of a profile, and half a cell. */
     private static int border(ShiftProfile along, int parts) {
         long positions = Math.abs((long) parts) * along.most() + HALF >> PART_BITS;
         return (int) Math.min(MOST_BORDER, positions / SUB + 2);
     }
 
     /**
-     * Metric of the events moved back by sx times one profile and sy times another, in px: 2 w f summed over all votes;
-     * of few events the mean over two grids.
+     * Metric of the events moved back by sx times one profile and sy times another, in px: 2 w f summed over all votes.
+     * For few events, it is the mean over two grids.
      */
     double metric(ShiftProfile alongX, double sx, ShiftProfile alongY, double sy) {
         return metric(alongX, sx, alongY, sy, 0, 0);
     }
 
-    /** The same where that is velocity (vx, vy) in px/s beside that of the events: at which they come into sight. */
+    /**
+     * The same where the shift is that of a velocity of (vx, vy) px/s beside the events' own, which determines how long
+     * cells are in sight.
+     */
     double metric(ShiftProfile alongX, double sx, ShiftProfile alongY, double sy, double vx, double vy) {
         int partsX = parts(alongX, sx);
         int partsY = parts(alongY, sy);
@@ -232,10 +236,10 @@ final class BilinearAccumulator {
     }
 
     /**
-     * Slopes of the metric of the events where they are; of few events the mean over two grids.
+     * Slopes of the metric of the events where they are; for few events the mean over two grids.
      *
      * @param time of each event from the reference in s
-     * @param centreX centre of turning and growth in px, and centreY
+     * @param centreX column of the centre of rotation and growth in px, and centreY its row
      */
     void slopes(ShiftProfile time, double centreX, double centreY, MetricSlopes to) {
         layWith(2, 2);
@@ -247,14 +251,14 @@ final class BilinearAccumulator {
         }
     }
 
-    /** The same of a grid shifted by some parts of a cell. */
+    /** The same for a grid shifted by some parts of a cell. */
     private void addSlopes(ShiftProfile time, double centreX, double centreY, int offset, MetricSlopes to) {
         locate(time.shift, 0, time.shift, 0, offset);
         timed.addSlopes(at, size, time, columns, rows, (originX - offset) / scale - centreX,
             (originY - offset) / scale - centreY, SUB / scale, to);
     }
 
-    /** Finds the cells of the events where they are shifted to. */
+    /** Finds the cells of the shifted events. */
     private void locate(int[] alongX, int partsX, int[] alongY, int partsY, int offset) {
         shift(placeX, alongX, partsX, offset - originX, at);
         shift(placeY, alongY, partsY, offset - originY, atY);
@@ -262,7 +266,7 @@ final class BilinearAccumulator {
         locate();
     }
 
-    /** Apart from voting, because the compiler makes it work on several events at once. */
+    /** Shifts the events along one axis; separate from voting, because the compiler then vectorises it. */
     private void shift(int[] place, int[] along, int parts, int offset, int[] at) {
         int n = size;
         for (int i = 0; i < n; i++) {
@@ -270,7 +274,7 @@ final class BilinearAccumulator {
         }
     }
 
-    /** Finds the cells of the events; apart, too, for the same reason. */
+    /** Finds the cells of the shifted positions; separate for the same reason. */
     private void locate() {
         int[] x = at;
         int[] y = atY;
@@ -284,7 +288,7 @@ final class BilinearAccumulator {
             int py = y[i];
             int key = (py >> SUB_BITS) * w + (px >> SUB_BITS) << KEY_BITS | signs[i]
                 | (py & SUB - 1) << SUB_BITS | px & SUB - 1;
-            // an event that leaves the grid meets no other: all bits where any of the four is negative
+            // an event off the grid meets no other: all bits are set where any of the four is negative
             int off = (px | py | lastX - px | lastY - py) >> 31;
             x[i] = key & ~off | NONE & off;
         }
@@ -308,7 +312,7 @@ final class BilinearAccumulator {
             int b = grid[c + 1];
             int d = grid[c + w];
             int e = grid[c + w + 1];
-            // weights add up to 256, cells to 256 an event at most: the products fit an int
+            // the votes of an event add up to 256, cells to 256 per event at most: the products fit an int
             sum += w00 * a + w10 * b + w01 * d + w11 * e;
             grid[c] = a + w00;
             grid[c + 1] = b + w10;
@@ -319,10 +323,10 @@ final class BilinearAccumulator {
     }
 
     /**
-     * Adds up how the picture of the events where they are changes with place: every other event makes one picture, the
-     * rest another.
+     * Sums how the picture of the events changes with place, where they are. Every other event makes one picture, the
+     * rest make another.
      *
-     * @param centreX centre of turning and growth in px, and centreY
+     * @param centreX column of the centre of rotation and growth in px, and centreY its row
      * @param radius of the structure in px
      */
     void structure(StructureTensor tensor, double centreX, double centreY, double radius) {
@@ -368,7 +372,7 @@ final class BilinearAccumulator {
         grid[c + columns + 1] += fx * below;
     }
 
-    /** Slope along one axis by Sobel, a mean over three cells across it. */
+    /** Slope along one axis by the Sobel operator, a mean over three cells across the axis. */
     private static int slope(int[] grid, int c, int along, int across) {
         return 2 * (grid[c + along] - grid[c - along]) + grid[c + along + across] - grid[c - along + across]
             + grid[c + along - across] - grid[c - along - across];

@@ -4,39 +4,44 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Steps of a motion, all of its parameters at once, towards the top of the metric over events on both sides of its
- * reference. What a window on one side confuses, velocity and acceleration, or rotation and its change, are told apart
- * there, so that less need be taken for noise than in {@link MotionChange}: a step is held back only by a stiffness,
- * and rotation and growth by what is known of them already.
+ * Steps of a motion, in all of its parameters at once, towards the top of the metric over events on both sides of its
+ * reference. Such a window separates what a window on one side confuses: velocity and acceleration, or rotation and its
+ * change. Less therefore counts as noise than in {@link MotionChange}: a stiffness holds a step back; so does noise for
+ * an acceleration, and what is known already for rotation and growth. Across the best known direction, velocity and
+ * acceleration follow only as far as they are known.
  */
 public final class CentredStep {
-    /** Share of the metric per px that a parameter must lose to follow at half the step. */
+    /** Share of the metric that a parameter must lose by a shift of one pixel for half of its step to be taken. */
     private static final double STIFFNESS = 0.005;
-    /** Distance of the projections that measure a change, at the ends of the window. */
+    /** Distance of the projections that measure a change, at the ends of the window, in px. */
     private static final double CHANGE_PX = 1.5;
-    /** Shift at the ends of the window by an acceleration that may be noise. */
+    /** Shift at the ends of the window, in px, by an acceleration that may be noise. */
     private static final double BEND_PX = 0.07;
-    /** What is known of the velocity across the best known direction, as a share of that, at which it counts half. */
+    /**
+     * Knowledge of the velocity across the best known direction, as a share of that along it, at which it counts half.
+     */
     private static final double FLAT = 0.2;
-    /** The same of the acceleration. */
+    /** The same for the acceleration. */
     private static final double FLAT_CHANGE = 0.1;
-    /** Shift at the ends of the window by a rotation and growth that were half sure before. */
+    /**
+     * Shift at the ends of the window, in px, by the rotation and growth known before, at which these are half sure.
+     */
     private static final double KNOWN_PX = 0.1;
     /** Evidence that makes rotation and growth sure, in standard deviations of the metric. */
     private static final double SURE_SIGMAS = 0.2;
-    /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
+    /** Smallest radius of a structure, in px, for which rotation and growth are measured. */
     private static final double LEAST_RADIUS_PX = 1;
 
     private final SofasParameters.Track p;
     private final PathPull pull = new PathPull();
     private VelocityTop top;
 
-    /** Makes steps with the parameters that a motion may have. */
+    /** Makes steps in the parameters that a motion may have. */
     public CentredStep(SofasParameters.Track p) {
         this.p = p;
     }
 
-    /** Begins with another motion, of which no step was taken. */
+    /** Begins with another motion, for which no step was taken yet. */
     public void begin() {
         top = null;
     }
@@ -57,7 +62,7 @@ public final class CentredStep {
         }
         top = fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
         double best = top.bestLoss();
-        // what is known across the best direction, as a share of what is known along it
+        // knowledge across the best known direction, as a share of that along it
         double flatness = (top.lossXx() + top.lossYy() - best) / Math.max(best, Double.MIN_NORMAL);
         double stiffness = STIFFNESS * top.metric() / (px * px);
         if (p.acceleration()) {
@@ -112,7 +117,7 @@ public final class CentredStep {
         }
     }
 
-    /** Share of a step that is taken, of a parameter that loses as much. */
+    /** Share of a step that is taken in a parameter with this loss. */
     private static double followed(double loss, double stiffness) {
         return loss > 0 ? loss / (loss + stiffness) : 0;
     }

@@ -1,11 +1,12 @@
 package io.github.sofas.flow.fit;
 
 /**
- * Fits each change of a motion by itself, around the motion that the events were projected along and whose velocity was
- * fitted just before: the metric along the change as a parabola, until the next fit.
+ * Fits each change of a motion separately, around the motion that the events were projected along and whose velocity
+ * was fitted just before. Each fit describes the metric along the change by a parabola, which is valid until the next
+ * fit.
  */
 interface ChangeFit {
-    /** Standard deviations of the metric that a change must be curved by to take a step to its top. */
+    /** Standard deviations of the metric by which it must curve along a change for a step to its top. */
     double CHANGE_SIGMAS = 0.5;
     /** Distance of the projections that measure a change, at the end of the window, in px. */
     double APART_PX = 1.5;

@@ -3,19 +3,20 @@ package io.github.sofas.flow.fit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * The motion that serves two structures best, were they one body: that by which their metrics lose least. Ours, because
- * the two ends of a body that turns have two velocities, and so have two parts of what comes nearer.
+ * The motion that suits two structures best if they are one body: the one by which their metrics lose least. Ours,
+ * because the two ends of a turning body have two velocities, and so have two parts of an approaching body.
  *
- * <p>Rotation, growth and deformation are those of the one that knows them better. Any two velocities agree with some
- * rotation and growth, so that these are no unknowns. With velocities vi of their centres and losses Li by other
- * velocities, the velocity v of the point between them is that which makes the sum over both of (v + omega x r +
- * growth r - vi)' Li (v + omega x r + growth r - vi) least, with what the deformation adds. There Li has a little of
- * itself all round, so that no velocity is made up along edges.
+ * <p>Rotation, growth and deformation are those of the structure that knows them better. They are no unknowns, because
+ * any two velocities agree with some rotation and growth. The fit determines the velocity v of the point between the
+ * structures. With the velocities vi of their centres and their losses Li by other velocities, v minimises the sum over
+ * both of (v + omega x r + growth r - vi)' Li (v + omega x r + growth r - vi), where the deformation adds its part. Li
+ * includes a little of itself in every direction, so that no velocity is invented along edges.
  */
 public final class CommonMotion {
     /**
-     * Share of what is known of a structure's velocity by which it is held in every direction: two edges that are all
-     * but parallel have a velocity in common, however fast each is, but far along themselves, where neither shows it.
+     * Share of what is known of a structure's velocity by which the velocity is held in every direction. Two almost
+     * parallel edges always agree on some velocity, however fast each is, but on one far along the edges, where neither
+     * shows it.
      */
     private static final double HELD = 0.01;
 
@@ -25,7 +26,8 @@ public final class CommonMotion {
     private final Motion motion = new Motion();
     private double lost;
 
-    // two linear equations: what is known of both velocities, and that times the common velocity that either asks for
+    // two linear equations: the losses of both structures, and their products with the common velocity that each asks
+    // for
     private double xx;
     private double xy;
     private double yy;
@@ -33,11 +35,11 @@ public final class CommonMotion {
     private double by;
 
     /**
-     * Fits it.
+     * Fits the common motion.
      *
-     * @param one motion of the one structure, other of the other; they stay as they are
+     * @param one motion of the first structure, other that of the second; neither is changed
      * @param timeUs when the two are to move alike
-     * @return whether the two together know all of the velocity; if not, the motion is the first one's
+     * @return whether the two together determine the whole velocity; if not, the motion is that of the first
      */
     public boolean fit(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
         begin(one, lossOne, other, lossOther, timeUs);
@@ -45,8 +47,8 @@ public final class CommonMotion {
     }
 
     /**
-     * The same of two edges that are known to be of one body, each of which may show nothing of its rotation: that is
-     * the one by which their velocities differ across the line between them.
+     * The same for two edges that are known to belong to one body, where neither edge may show its rotation. The
+     * rotation is then the one by which their velocities differ across the line between them.
      */
     public boolean fitEdges(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
         begin(one, lossOne, other, lossOther, timeUs);
@@ -59,7 +61,10 @@ public final class CommonMotion {
         return fitVelocity(lossOne, lossOther);
     }
 
-    /** Begins with rotation, deformation and growth of the one that knows them better, in the middle between them. */
+    /**
+     * Begins in the middle between the structures, with rotation, deformation and growth of the one that knows them
+     * better.
+     */
     private void begin(Motion one, MotionLoss lossOne, Motion other, MotionLoss lossOther, long timeUs) {
         first.copyFrom(one);
         first.moveReference(timeUs);
@@ -98,7 +103,7 @@ public final class CommonMotion {
         return true;
     }
 
-    /** Velocity to the right by which a structure's centre moves beside the point between the two. */
+    /** Velocity to the right of a structure's centre, relative to the point between the two. */
     private double besideX(Motion its) {
         double rx = its.centreX - motion.centreX;
         double ry = its.centreY - motion.centreY;
@@ -112,7 +117,7 @@ public final class CommonMotion {
         return motion.growth * ry + motion.omega * rx + motion.deformation.vy(rx, ry);
     }
 
-    /** Adds what one structure knows. */
+    /** Adds the equations of one structure. */
     private void add(Motion its, MotionLoss loss) {
         double held = HELD * (loss.xx + loss.yy);
         double vx = its.vx - besideX(its);
@@ -132,7 +137,10 @@ public final class CommonMotion {
             motion.growth + motion.deformation.growthAt(rx, ry) - its.growth) / loss.metric;
     }
 
-    /** Whether these make the velocities of the two centres differ by more than a share of the speed. */
+    /**
+     * Whether rotation, growth and deformation make the velocities of the two centres differ by more than a share of
+     * the speed.
+     */
     public boolean turnsOrGrows(double share) {
         double x = besideX(first) - besideX(second);
         double y = besideY(first) - besideY(second);
@@ -144,7 +152,7 @@ public final class CommonMotion {
         return motion;
     }
 
-    /** The greater of the shares of its metric that either structure loses by it. */
+    /** The greater of the shares of its metric that either structure loses by the common motion. */
     public double lost() {
         return lost;
     }

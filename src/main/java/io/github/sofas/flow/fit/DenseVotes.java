@@ -1,19 +1,19 @@
 package io.github.sofas.flow.fit;
 
 /**
- * The bilinear votes of events that fill their grid. What the cells hold in the end tells how often the events met: the
- * sum of 2 w f, each vote w with what the cell held before it, is the sum of the squares of all cells less that of all
- * votes, exactly. Ours, because so an event has two numbers to add to and none to read, which takes up to a half less
- * time; where few events lie on many cells, looking through the cells takes more. Blocks of cells that no event has a
- * vote for are passed over.
+ * The bilinear votes of events that fill their grid. The final content of the cells shows how often the events met: the
+ * sum of 2 w f, of each vote w and what its cell held before, equals exactly the sum of the squares of all cells less
+ * that of all votes. Ours, because an event then has two numbers to add to and none to read, which takes up to a half
+ * less time. Where few events lie on many cells, scanning the cells takes more. Blocks of cells without votes are
+ * skipped.
  *
- * <p>The votes for two cells side by side are the halves of one number, which is added to at the left one of them. A
- * cell then holds the low half of its own number and the high half of the one to its left.
+ * <p>The votes for two adjacent cells are the halves of one number, which is kept at the left cell. A cell thus holds
+ * the low half of its own number and the high half of the number to its left.
  */
 final class DenseVotes {
     /** Most cells of a grid: few enough to stay in a near cache. */
     static final int MOST_CELLS = 1 << 13;
-    /** Cells of a block: a line of the cache. */
+    /** Cells of a block, as a power of two: one cache line. */
     private static final int BLOCK_BITS = 3;
     private static final int BLOCKS = MOST_CELLS >> BLOCK_BITS;
     /** Bytes of its arrays. */
@@ -37,9 +37,9 @@ final class DenseVotes {
         }
     }
 
-    /** Empty between two calls. */
+    /** Votes for pairs of cells; all 0 between two calls. */
     private final long[] pairs = new long[MOST_CELLS];
-    /** Blocks that any event has a vote for, 1 of each; none between two calls. */
+    /** 1 for each block with votes; all 0 between two calls. */
     private final byte[] used = new byte[BLOCKS];
 
     /**
@@ -47,7 +47,7 @@ final class DenseVotes {
      *
      * @param at cell, sign and place in the cell of each event
      * @param size number of events
-     * @param columns of a grid of at most {@link #MOST_CELLS}
+     * @param columns of a grid of at most {@link #MOST_CELLS} cells
      */
     long vote(int[] at, int size, int columns, int rows) {
         int own = add(at, size, columns);
@@ -72,7 +72,7 @@ final class DenseVotes {
         return own;
     }
 
-    /** Sum of the squares of what so many cells hold, which are emptied. */
+    /** Returns the sum of the squares of the first cells, and empties these. */
     private long squares(int cells) {
         long[] of = pairs;
         long sum = 0;
@@ -91,7 +91,7 @@ final class DenseVotes {
                 int own = (int) pair;
                 long f = own + fromLeft;
                 sum += f * f;
-                // no event lies in the last column, so that the next row gets nothing from it
+                // no event lies in the last column, so that nothing carries over to the next row
                 fromLeft = pair - own >> Integer.SIZE;
             }
         }

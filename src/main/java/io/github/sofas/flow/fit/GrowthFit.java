@@ -3,16 +3,17 @@ package io.github.sofas.flow.fit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * The growth of a structure, with the velocity that goes with it.
+ * The growth of a structure, with the velocity that belongs to it.
  *
- * <p>Ours: an edge gives the more events the faster it moves, so that of what comes near and moves on most events are
- * those of its front. These meet along one velocity, whatever the growth, so that the metric has a narrow ridge: from
- * the middle of the events, either of growth and velocity is best where the other is wrong, and measuring them in turn
- * took 10 px of travel to climb it. From the place where growth and velocity change the picture least alike, often the
- * front, the ridge lies along the growth, and either is best whatever the other is.
+ * <p>Ours: the faster an edge moves, the more events it gives. A body that approaches while it travels thus gives most
+ * of its events at its front. These meet along one velocity, whatever the growth, so that the metric has a narrow
+ * ridge. Measured from the middle of the events, growth and velocity are each best where the other is wrong, and
+ * measuring them in turn took 10 px of travel to climb the ridge. From the place where growth and velocity change the
+ * picture least alike, often the front, the ridge lies along the axis of growth, and each is best whatever the other
+ * is.
  */
 final class GrowthFit {
-    // place that stays where it is as the structure grows, from its centre in px
+    // place that stays fixed while the structure grows, in px from its centre
     private double fromX;
     private double fromY;
     private double perPx;
@@ -22,14 +23,14 @@ final class GrowthFit {
     private double gain;
 
     /**
-     * Fits the growth of events whose velocity was fitted. By slopes, as of what is steady, it is about the centre, and
-     * so it is of a plane, whose parameters {@link PlaneChange} measures all at once.
+     * Fits the growth of events whose velocity was fitted. A fit by slopes, as for a steady motion, is about the
+     * centre; so is that of a plane, whose parameters {@link PlaneChange} measures all at once.
      *
-     * @param structure of the pictures that the events made of late
+     * @param structure of the recent pictures of the events
      * @param grown growth that the events were projected along, in 1/s
      * @param half half the window in s
      * @param radius of the structure in px
-     * @param isPlane whether it is measured as a plane, too
+     * @param isPlane whether the structure is measured as a plane, too
      */
     void measure(MetricFit fit, StructureTensor structure, double grown, double half, double radius,
                  boolean isPlane) {
@@ -43,11 +44,11 @@ final class GrowthFit {
         growth = grown + step;
         loss = fitted.loss();
         double ownLoss = isAboutCentre ? loss * structure.own(StructureTensor.GROW) : loss;
-        // far from the growth the metric is no top yet, and only rises
+        // far from the growth, the metric has no top yet and only rises
         gain = isAboutCentre || loss > 0 || step == 0 ? ownLoss * growth * growth : Math.abs(fitted.slope());
     }
 
-    /** Growth that shifts the ends of the window by a pixel at the radius, from the place that stays, in 1/s. */
+    /** Growth, from the fixed place, that shifts the ends of the window by a pixel at the radius, in 1/s. */
     double perPx() {
         return perPx;
     }
@@ -57,12 +58,12 @@ final class GrowthFit {
         return growth;
     }
 
-    /** How much it is beyond the one that the events were projected along. */
+    /** Difference from the growth that the events were projected along, in 1/s. */
     double step() {
         return step;
     }
 
-    /** What the metric gains by it. */
+    /** What the metric gains by the growth. */
     double gain() {
         return gain;
     }
@@ -72,7 +73,7 @@ final class GrowthFit {
         return loss + of.xx * fromX * fromX + 2 * of.xy * fromX * fromY + of.yy * fromY * fromY;
     }
 
-    /** Gives a motion another growth, in 1/s, and its centre the velocity that goes with it. */
+    /** Sets another growth of a motion, in 1/s, and the velocity of the centre that belongs to it. */
     void give(Motion motion, double next) {
         motion.vx -= (next - motion.growth) * fromX;
         motion.vy -= (next - motion.growth) * fromY;

@@ -1,19 +1,19 @@
 package io.github.sofas.flow.fit;
 
 /**
- * For how much of the window each cell of the grid was within the sensor, along a velocity, and the metric of votes
- * that counts what was in sight for a share f of the window as 1 / f.
+ * The share of the window for which each cell of the grid is in sight, that is, within the sensor along a velocity; and
+ * a metric in which each meeting counts 1 / f on a cell that was in sight for a share f of the window.
  *
- * <p>Ours, because the border hides a part of what comes in or leaves. A slanted edge that comes in shows one point
- * that stays in sight, its end at the border, which slides along the border at any speed: along the true velocity cells
- * have fewer votes than along that of the end. A cell that was in sight for the share f of the window has f of the
- * votes that it would have; n² / f is the same along any velocity that an edge may have.
+ * <p>Ours, because the border hides a part of an edge that enters or leaves. A slanted edge that enters shows one point
+ * that stays in sight, its end at the border, which slides along the border at any speed. Along the true velocity,
+ * cells have fewer votes than along the velocity of that end. A cell that was in sight for a share f of the window has
+ * the share f of the votes that it would have; n² / f is the same along any velocity that an edge may have.
  */
 final class InSight {
-    /** Weight of what was in sight all the time, a power of two. */
+    /** Weight of a cell that was in sight all the time, as a power of two. */
     private static final int ONE_BITS = 4;
     private static final int ONE = 1 << ONE_BITS;
-    /** Most that a cell counts: what was hardly in sight has few votes, by chance. */
+    /** Greatest factor for a cell: one that was hardly in sight has few votes, and these by chance. */
     private static final double MOST = 4;
     /** Velocity in px/s below which nothing leaves the sensor. */
     private static final double STILL = 1e-6;
@@ -28,7 +28,7 @@ final class InSight {
     /** Half the window in s. */
     private double half;
 
-    /** Makes one for grids of so many columns and rows at most. */
+    /** Makes weights for grids of at most so many columns and rows. */
     InSight(int sensorWidth, int sensorHeight, int columns, int rows) {
         alongColumns = new Axis(sensorWidth, columns);
         alongRows = new Axis(sensorHeight, rows);
@@ -40,12 +40,15 @@ final class InSight {
         return Integer.BYTES * cells;
     }
 
-    /** Takes everything to be in sight all the time. */
+    /** Treats all cells as in sight all the time. */
     void clear() {
         isCutOff = false;
     }
 
-    /** Takes the border to cut events off that move at (vx, vy) px/s, in the middle of a window of twice so long. */
+    /**
+     * Accounts for a border that cuts off events that move at (ofVx, ofVy) px/s; the grid shows them as in the middle
+     * of a window of twice {@code halfS}.
+     */
     void cutOff(double ofVx, double ofVy, double halfS) {
         isCutOff = halfS > 0;
         vx = ofVx;
@@ -58,7 +61,7 @@ final class InSight {
         return isCutOff && !isPaused;
     }
 
-    /** Takes everything to be in sight for as long as it pauses, whatever the border cuts off. */
+    /** Treats all cells as in sight during a pause, whatever the border cuts off. */
     void pause(boolean pauses) {
         isPaused = pauses;
     }
@@ -66,8 +69,8 @@ final class InSight {
     /**
      * Weighs the cells of a grid.
      *
-     * @param left of its first column in px, top of its first row
-     * @param besideVx velocity beside that at which the events move, in px/s, and besideVy
+     * @param left side of its first column in px, top that of its first row
+     * @param besideVx velocity relative to that of the events, in px/s, and besideVy
      */
     void weigh(int columns, int rows, double left, double top, double cellPx, double besideVx, double besideVy) {
         alongColumns.take(columns, left, cellPx, vx + besideVx);
@@ -88,7 +91,10 @@ final class InSight {
         return (int) Math.rint(counts * ONE);
     }
 
-    /** When the columns or the rows of a grid are between 0 and a side of the sensor, from the middle of the window. */
+    /**
+     * The times, from the middle of the window, at which columns or rows of a grid enter and leave the sensor along one
+     * axis.
+     */
     private final class Axis {
         private final double side;
         private final double[] from;
@@ -111,15 +117,15 @@ final class InSight {
             }
         }
 
-        /** Whether it is there all the time. */
+        /** Whether a column or row is in sight all the time. */
         boolean isAll(int k) {
             return from[k] == -half && until[k] == half;
         }
     }
 
     /**
-     * Lets events vote on cells that were weighed; as {@link BilinearAccumulator} does, but that each meeting counts by
-     * its cell.
+     * Counts the votes of events on cells that were weighed, as {@link BilinearAccumulator} does, but weighs each
+     * meeting by its cell.
      *
      * @param keys cells of the events, with their places in them
      * @param grid empty

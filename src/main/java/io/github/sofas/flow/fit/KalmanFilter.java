@@ -1,38 +1,44 @@
 package io.github.sofas.flow.fit;
 
 /**
- * The Kalman filter of one component of a motion: of a velocity, its acceleration and its jerk, which changes by
- * chance. Each window measures the first two, and the filter weighs what that corrects the state by.
+ * The Kalman filter of one component of a motion. Its state is a velocity, an acceleration and a jerk, which changes by
+ * chance. Each window measures the first two, and the filter determines by how much that corrects the state.
  *
- * <p>Noise is given in px that the ends of the window shift by, because that is what events show: the same numbers
- * hold for windows of any length. The state itself lives in the motion.
+ * <p>Noise is given as a shift of the ends of the window in px, because that is what events show: the same numbers hold
+ * for windows of any length. The motion itself holds the state.
  */
 final class KalmanFilter {
-    /** Least noise of the velocity and of the acceleration that a window shows of which {@link #NEW_PART} is new. */
+    /** Least noise of the velocity and of the acceleration from a window of which {@link #NEW_PART} is new. */
     private static final double VELOCITY_PX = 0.03;
     private static final double ACCELERATION_PX = 0.05;
-    /** Noise of the velocity as a part of that of the metric. That of the acceleration is as many times its least. */
+    /**
+     * Noise of the velocity, as a part of that of the metric. That of the acceleration grows from its least by the same
+     * factor.
+     */
     private static final double OF_METRIC = 0.5;
-    /** Times the least noise that what hardly shows has. */
+    /** Greatest factor on the least noise, for a motion that hardly shows. */
     private static final double MOST_NOISY = 20;
-    /** Noise of a first velocity, and what a first acceleration may be. */
+    /** Noise of a first velocity, and the size that a first acceleration may have. */
     private static final double FIRST_VELOCITY_PX = 0.1;
     private static final double FIRST_ACCELERATION_PX = 0.05;
-    /** A first jerk may be so many times what it changes by. */
+    /** Size that a first jerk may have, in multiples of what the jerk changes by in half a window. */
     private static final double FIRST_UNREST = 2;
-    /** Part of half a window: windows overlap, and the fewer events are new, the less they tell. */
+    /** New part of half a window to which the noise refers: windows overlap, and fewer new events show less. */
     private static final double NEW_PART = 0.2;
     private static final double LEAST_NEWS = 1e-3;
     /**
      * Noise that is added along an axis of the sensor where the picture moves by less than {@link #LOCKED_TRAVEL_PX} in
-     * a window: edges stay on their rows or columns and then pass to the next ones together, as if they swung.
+     * a window: edges stay on their rows or columns, then pass to the next ones together, as if they swung.
      */
     private static final double LOCKED_VELOCITY_PX = 0.1;
     private static final double LOCKED_ACCELERATION_PX = 0.15;
     private static final double LOCKED_TRAVEL_PX = 1.5;
-    /** What a jerk of 1 adds to the velocity that fits all of a window best, by the square of half the window. */
+    /**
+     * What a jerk of 1 adds to the velocity that fits the whole window best, as a share of the square of half the
+     * window.
+     */
     private static final double JERK_IN_VELOCITY = 0.1;
-    /** What any velocity changes by in half a window. */
+    /** Random change of any velocity in half a window. */
     private static final double WALK_PX = 0.003;
 
     private final double unrestPx;
@@ -43,15 +49,17 @@ final class KalmanFilter {
     private double p11;
     private double p12;
     private double p22;
-    // what the last measurement corrects them by
+    // corrections of the state by the last measurement
     private double velocity;
     private double acceleration;
     private double jerk;
     private double logLikelihood;
 
     /**
-     * @param unrestPx shift of the end of a window by what the jerk changes by in half of it; 0 for what moves
-     *     steadily, without acceleration
+     * Makes a filter.
+     *
+     * @param unrestPx shift of the end of a window by the change of the jerk in half of it; 0 for a steady motion,
+     *     without acceleration
      */
     KalmanFilter(double unrestPx) {
         this.unrestPx = unrestPx;
@@ -77,10 +85,10 @@ final class KalmanFilter {
      * @param dt time between the middles of the window before and of this one, in s
      * @param half half the window in s
      * @param offVelocity measured velocity less the predicted one, in px/s
-     * @param offAcceleration the same of the acceleration, in px/s²
+     * @param offAcceleration the same for the acceleration, in px/s²
      * @param predictedJerk in px/s³
      * @param travelPx travel along an axis of the sensor within the window
-     * @param metricPx noise of the metric over what it loses by a shift of a pixel, times that pixel
+     * @param metricPx noise of the metric, divided by what the metric loses by a shift of one pixel, in px
      */
     void correct(double dt, double half, double offVelocity, double offAcceleration, double predictedJerk,
                  double travelPx, double metricPx) {
@@ -104,7 +112,7 @@ final class KalmanFilter {
         logLikelihood *= Math.min(1, news);
     }
 
-    /** Carries what is known on to another time. */
+    /** Carries the covariance on to another time. */
     private void predict(double dt) {
         p00 += dt * (2 * p01 + dt * (p11 + p02 + dt * (p12 + dt * p22 / 4)));
         p01 += dt * (p11 + p02 + dt * (1.5 * p12 + dt * p22 / 2));
@@ -113,7 +121,7 @@ final class KalmanFilter {
         p12 += dt * p22;
     }
 
-    /** Adds what may have changed in that time. */
+    /** Adds the variance of what may have changed in that time. */
     private void change(double dt, double half) {
         double perS = square(6 * unrestPx / (half * half * half)) / half;
         double dt2 = dt * dt;
@@ -125,7 +133,7 @@ final class KalmanFilter {
         p22 += perS * dt;
     }
 
-    /** Takes one number that was measured, with its covariances with the state, and its variance. */
+    /** Takes one measured number, with its covariances with the state, and its variance. */
     private void take(double off, double c0, double c1, double c2, double variance) {
         double gain0 = c0 / variance;
         double gain1 = c1 / variance;
@@ -146,22 +154,22 @@ final class KalmanFilter {
         return x * x;
     }
 
-    /** What the last measurement corrects the velocity by, in px/s. */
+    /** Correction of the velocity by the last measurement, in px/s. */
     double velocity() {
         return velocity;
     }
 
-    /** The same of the acceleration, in px/s². */
+    /** The same for the acceleration, in px/s². */
     double acceleration() {
         return acceleration;
     }
 
-    /** The same of the jerk, in px/s³. */
+    /** The same for the jerk, in px/s³. */
     double jerk() {
         return jerk;
     }
 
-    /** Logarithm of how likely the last measurement was, but for a constant; by as much as it had of new events. */
+    /** Log-likelihood of the last measurement, up to a constant; scaled down where few of its events are new. */
     double logLikelihood() {
         return logLikelihood;
     }

@@ -2,13 +2,13 @@ package io.github.sofas.flow.fit;
 
 import java.util.Arrays;
 
-/** Some linear equations with a symmetric matrix that is positive, solved by Cholesky's method. */
+/** Linear equations with a symmetric, positive definite matrix, solved by Cholesky's method. */
 public final class LinearSystem {
     private final int size;
-    /** The lower half of the matrix, then that of its factor. */
+    /** The lower half of the matrix; once factored, that of its factor. */
     private final double[][] a;
 
-    /** Makes one of so many equations, whose matrix is 0. */
+    /** Makes a system of so many equations, whose matrix is 0. */
     public LinearSystem(int size) {
         this.size = size;
         a = new double[size][size];
@@ -21,17 +21,20 @@ public final class LinearSystem {
         }
     }
 
-    /** Adds to an entry and to the one across the diagonal; j is not greater than i. */
+    /** Adds to an entry and to its mirror image across the diagonal; j is not greater than i. */
     public void add(int i, int j, double value) {
         a[i][j] += value;
     }
 
-    /** Sets an entry and the one across the diagonal; j is not greater than i. */
+    /** Sets an entry and its mirror image across the diagonal; j is not greater than i. */
     void set(int i, int j, double value) {
         a[i][j] = value;
     }
 
-    /** Takes the matrix apart into a lower triangle times itself; returns false where it is not positive. */
+    /**
+     * Factors the matrix into a lower triangle times its transpose; returns false where the matrix is not positive
+     * definite.
+     */
     public boolean factor() {
         for (int i = 0; i < size; i++) {
             for (int j = 0; j <= i; j++) {
@@ -51,7 +54,7 @@ public final class LinearSystem {
         return true;
     }
 
-    /** Turns the right sides of the equations into what solves them, once the matrix is taken apart. */
+    /** Replaces the right sides of the equations by the solution, once the matrix is factored. */
     public void solve(double[] x) {
         for (int i = 0; i < size; i++) {
             for (int k = 0; k < i; k++) {
@@ -68,8 +71,8 @@ public final class LinearSystem {
     }
 
     /**
-     * The least that the quadratic form of the matrix has where its last unknowns are these, whatever the others are;
-     * once the matrix is taken apart.
+     * The least value of the matrix's quadratic form over all other unknowns, where the last unknowns are these; once
+     * the matrix is factored.
      */
     double squareOfLast(double[] last) {
         int first = size - last.length;

@@ -5,34 +5,34 @@ import io.github.sofas.flow.motion.PixelBox;
 import java.util.Arrays;
 
 /**
- * A picture of events that were moved to one time, and how often they meet in it: each votes for the four pixels around
- * its place by its nearness. Votes are whole numbers, so that some can be taken out again, and nothing is left of them.
+ * A picture of events that were moved to one time, and how often they meet in it. Each event votes for the four pixels
+ * around its place, weighted by nearness. Votes are whole numbers, so that an event can be removed without a remainder.
  */
 public final class MeetingPicture {
-    /** Places are in parts of a pixel, 2^this many. */
+    /** Places are in parts of a pixel, 2^{@value} of them. */
     static final int SUB_BITS = 6;
     private static final int SUB = 1 << SUB_BITS;
-    /** Bits below one of what meets: of two votes, each of two coordinates. */
+    /** Bits below the unit of a meeting, which is a product of two votes, each of two coordinates. */
     public static final int MET_BITS = 4 * SUB_BITS;
-    /** Places along each axis that are looked at. */
+    /** Number of places along each axis at which {@link #addMeets} looks. */
     public static final int BESIDE = 3;
-    /** Room around the sensor for what is moved off it, in px. */
+    /** Margin around the sensor for events that are moved off it, in px. */
     private static final int BORDER = 12;
 
     private final int width;
     private final int height;
     private final int[] votes;
-    /** Around the pixels that may have votes. */
+    /** Box of the pixels that may have votes. */
     private final PixelBox box = new PixelBox();
 
-    /** Makes it without events. */
+    /** Makes a picture without events. */
     public MeetingPicture(SensorSize sensor) {
         width = sensor.width() + 2 * BORDER;
         height = sensor.height() + 2 * BORDER;
         votes = new int[width * height];
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of the arrays. */
     public static long bytes(SensorSize sensor) {
         return Integer.BYTES * (sensor.width() + 2L * BORDER) * (sensor.height() + 2L * BORDER);
     }
@@ -50,15 +50,15 @@ public final class MeetingPicture {
         return shift(px + BORDER);
     }
 
-    /** What a place differs by from another that is so many px away. */
+    /** Difference of two places that are so many px apart. */
     public static int shift(double px) {
         return (int) Math.rint(px * SUB);
     }
 
     /**
-     * Adds an event at a place; what is farther off the sensor has no votes.
+     * Adds an event at a place; events farther off the sensor than the margin have no votes.
      *
-     * @param weight where polarities count for nothing, 1, or -1 to take it out again; else its polarity
+     * @param weight its polarity; where polarities do not count, 1, or -1 to remove the event again
      */
     public void add(int x, int y, int weight) {
         int column = x >> SUB_BITS;
@@ -84,8 +84,8 @@ public final class MeetingPicture {
     }
 
     /**
-     * Adds how many events one at a place would meet, by nearness, and so many px beside: -1, 0 and 1 to the right, in
-     * three rows from above down. In parts of 2^-{@value #MET_BITS}.
+     * Adds how many events an event at a place would meet, weighted by nearness: at the place, and at places -1, 0 and
+     * 1 px to the right of it, in three rows from top to bottom. Units are 2^-{@value #MET_BITS}.
      */
     public void addMeets(int x, int y, long[] met) {
         int column = x >> SUB_BITS;
@@ -116,8 +116,8 @@ public final class MeetingPicture {
     }
 
     /**
-     * How many of the others an event meets, by nearness, that was added at a place; those of the other polarity count
-     * against it. In parts of 2^-{@value #MET_BITS}.
+     * How many other events are met by an event that was added at a place, weighted by nearness; those of the other
+     * polarity count negatively. Units are 2^-{@value #MET_BITS}.
      */
     public long met(int x, int y, int polarity) {
         int column = x >> SUB_BITS;

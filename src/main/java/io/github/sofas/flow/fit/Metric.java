@@ -2,8 +2,8 @@ package io.github.sofas.flow.fit;
 
 /**
  * The metric of a set of events under motions beside the one that they were projected along (paper, section Structure
- * Detection): how they vote in the {@link BilinearAccumulator} when each is shifted by a parameter of the motion times
- * what a unit of it shifts the event by.
+ * Detection). Each event is shifted by the difference in a parameter of the motion, times its shift per unit of the
+ * parameter ({@link ShiftProfile}). The shifted events then vote in the {@link BilinearAccumulator}.
  */
 final class Metric {
     private static final int EVENT_BYTES = 18 * Integer.BYTES;
@@ -14,18 +14,18 @@ final class Metric {
     private final float[] tau;
     private final float[] fromX;
     private final float[] fromY;
-    /** Tiles, and whether they are those of these events. */
+    /** Tiles of the structure, and whether they are those of the present events. */
     private final Tiles tiles;
     private boolean tiled;
-    // shifts a unit of each parameter: time, half its square, place from the centre times either; those of places are
-    // worked out when they are asked for
+    // shifts by parameters of the motion: time, its square, place from the centre, and place times time; all but those
+    // by time are computed on demand
     private final ShiftProfile time;
     private final ShiftProfile square;
     private final ShiftProfile placeX;
     private final ShiftProfile placeY;
     private final ShiftProfile timeX;
     private final ShiftProfile timeY;
-    /** Place that stays where it is as they grow, from the centre in px. */
+    /** Place that stays fixed under growth, in px from the centre. */
     private double growsFromX;
     private double growsFromY;
     private boolean laid;
@@ -74,13 +74,15 @@ final class Metric {
         growFrom(0, 0);
     }
 
-    /** Takes the events to grow from a place, in px from the centre, until they are forgotten. */
+    /** Measures growth from a place, in px from the centre, until the events are forgotten. */
     void growFrom(double x, double y) {
         growsFromX = x;
         growsFromY = y;
     }
 
-    /** Takes the border to cut the events off, which move at (vx, vy) px/s in a window of twice so long. */
+    /**
+     * Accounts for a border that cuts off the events, which move at (vx, vy) px/s in a window of twice {@code half}.
+     */
     void cutOff(double vx, double vy, double half) {
         grid.inSight().cutOff(vx, vy, half);
     }
@@ -99,7 +101,7 @@ final class Metric {
         laid = false;
     }
 
-    /** Lays out the events that were added, before the first metric of them. */
+    /** Prepares the added events for their first metric. */
     void lay() {
         if (laid) {
             return;
@@ -112,17 +114,17 @@ final class Metric {
         tiled = false;
     }
 
-    /** Adds up how the picture of the events changes; the structure has so many px of radius. */
+    /** Sums how the picture of the events changes with place; the structure has so many px of radius. */
     void structure(StructureTensor tensor, double radius) {
         grid.structure(tensor, grid.x(0) - fromX[0], grid.y(0) - fromY[0], radius);
     }
 
-    /** Of the events moved back by velocity (vx, vy) in px/s. */
+    /** Metric of the events moved back by velocity (vx, vy) in px/s. */
     double atVelocity(double vx, double vy) {
         return grid.metric(time, vx, time, vy, vx, vy);
     }
 
-    /** How it changes with each parameter of the motion; of no events not at all. */
+    /** Slopes of the metric by each parameter of the motion; all 0 without events. */
     void slopes(MetricSlopes to) {
         if (size() == 0) {
             to.clear();
@@ -132,7 +134,7 @@ final class Metric {
         grid.slopes(time, grid.x(0) - fromX[0], grid.y(0) - fromY[0], to);
     }
 
-    /** Of the events moved back by velocity (vx, vy) in px/s, whatever the border cuts off. */
+    /** Metric of the events moved back by velocity (vx, vy) in px/s, whatever the border cuts off. */
     double asSeen(double vx, double vy) {
         grid.inSight().pause(true);
         double metric = atVelocity(vx, vy);
@@ -140,19 +142,19 @@ final class Metric {
         return metric;
     }
 
-    /** At accelerations of h px/s² less and more along (dirX, dirY). */
+    /** Metrics at accelerations of h px/s² less and more along (dirX, dirY). */
     void alongAcceleration(double dirX, double dirY, double h, double[] lessAndMore) {
         takeSquare();
         lessAndMore(square, h / 2 * dirX, square, h / 2 * dirY, lessAndMore);
     }
 
-    /** At rotations of h rad/s less and more. */
+    /** Metrics at rotations of h rad/s less and more. */
     void alongRotation(double h, double[] lessAndMore) {
         takePlaces();
         lessAndMore(timeY, -h, timeX, h, lessAndMore);
     }
 
-    /** At growths of h per s less and more. */
+    /** Metrics at growths of h per s less and more. */
     void alongGrowth(double h, double[] lessAndMore) {
         takeGrowth(fromX, growsFromX, alongX);
         takeGrowth(fromY, growsFromY, alongY);
@@ -166,7 +168,7 @@ final class Metric {
         along.take(shift, grid.size());
     }
 
-    /** At changes of the rotation of h rad/s² less and more. */
+    /** Metrics at changes of the rotation of h rad/s² less and more. */
     void alongSpin(double h, double[] lessAndMore) {
         takeSquare();
         takePlaces();
@@ -198,7 +200,7 @@ final class Metric {
         }
     }
 
-    /** Of the events moved back by a rotation in rad/s and a growth in 1/s about the centre. */
+    /** Metric of the events moved back by a rotation in rad/s and a growth in 1/s about the centre. */
     double atTurn(double omega, double growth) {
         return atTurn(omega, growth, 0, 0);
     }

@@ -3,37 +3,37 @@ package io.github.sofas.flow.fit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Finds the motion under which a set of events is sharpest (paper, section Structure Detection): the metric of 3 x 3
- * projections around a velocity, a quadratic through the nine values, and one step to its top; after that each change
- * of the motion by itself ({@link ChangeFit}). Once the motion is about known, one picture of the events tells the
- * slopes by all of its parameters ({@link TimedVotes}): more exactly than projections beside it do, and for less, but
- * only as far as a cell beside differs.
+ * Finds the motion under which a set of events is sharpest (paper, section Structure Detection). A fit computes the
+ * metric of 3 x 3 projections around a velocity, lays a quadratic through the nine values, and takes one step to its
+ * top. After that, each change of the motion is fitted separately ({@link ChangeFit}). Once the motion is about known,
+ * a single vote of the events shows the slopes of the metric by all parameters ({@link TimedVotes}). Slopes are more
+ * exact than projections beside the motion and cost less, but serve only as far as neighbouring cells differ.
  */
 public final class MetricFit {
-    /** Side of the cells that votes are given to: cells as large as pixels favour whole pixels of travel. */
+    /** Side, in px, of the cells that events vote for: cells as large as pixels favour whole pixels of travel. */
     public static final double CELL_PX = 1.3;
-    /** Share of the metric that neighbouring projections are to lose: an edge is sharp across and flat along. */
+    /** Share of the metric that neighbouring projections should lose: an edge is sharp across and flat along. */
     public static final double NEIGHBOUR_LOSS = 0.04;
-    /** Standard deviations of the metric that they are to lose where that is more, up to a share of it. */
+    /** Standard deviations of the metric that they should lose where that is more, up to a share of the metric. */
     private static final double NEIGHBOUR_SIGMAS = 2.5;
     private static final double MOST_NEIGHBOUR_LOSS = 0.4;
     /** Smallest distance of neighbouring projections over half the window: closer ones differ by noise only. */
     private static final double MIN_STEP_PX = 0.5;
     /** Greatest distance of neighbouring projections over half the window. */
     private static final double MAX_STEP_PX = 4;
-    /** Standard deviations of the metric that neighbours must lose for a direction to take a step. */
+    /** Standard deviations of the metric that neighbours must lose for a step in their direction. */
     public static final double FLAT_SIGMAS = 2;
 
     /**
-     * Distance of neighbouring projections over half the window, in px, above which the metric is asked at them: along
-     * an edge a cell beside differs by what happens to lie there.
+     * Distance of neighbouring projections over half the window, in px, above which the metric is computed at them:
+     * along an edge, a neighbouring cell differs only by what happens to lie there.
      */
     private static final double BROAD_PX = 1.4;
 
     /** The middle one of the nine projections. */
     private static final int CENTRE = 4;
 
-    /** Distance from the border of the sensor within which it may hide a part of an edge. */
+    /** Distance from the border of the sensor, in px, within which the border may hide a part of an edge. */
     private static final int BORDER_PX = 2;
 
     private final int width;
@@ -41,7 +41,10 @@ public final class MetricFit {
     private final Metric metric;
     private final ProjectionFrame frame = new ProjectionFrame();
     private final double[] m = new double[9];
-    /** Metric at the velocity that was fitted around last, or asked for; which, and whether of these events. */
+    /**
+     * Metric at the velocity that was last fitted around or asked for; that velocity; and whether both are of these
+     * events.
+     */
     private double here;
     private double knownVx;
     private double knownVy;
@@ -51,14 +54,14 @@ public final class MetricFit {
     private final PlaneSlopes plane = new PlaneSlopes();
     private final SlopedChange sloped = new SlopedChange(slopes);
     private final ProjectedChange projected;
-    /** Whether the velocity was fitted by the slopes last, so that changes are, too. */
+    /** Whether the last velocity fit was by slopes, so that fits of changes are, too. */
     private boolean bySlopes;
-    // of the axis that was looked along last, in units of the frame; and the greatest metric on the way
+    // slope and curvature along the last axis, in units of the frame; and the greatest metric of a fit so far
     private double gradient;
     private double curvature;
     private double greatest;
 
-    /** Makes a fit for up to a number of events, of which so many vote on two grids. */
+    /** Makes a fit for up to {@code capacity} events; up to {@code mostOnBoth} events vote on two grids. */
     public MetricFit(int sensorWidth, int sensorHeight, double cellPx, int capacity, int mostOnBoth) {
         width = sensorWidth;
         height = sensorHeight;
@@ -76,7 +79,7 @@ public final class MetricFit {
         return metric.capacity();
     }
 
-    /** How many events are fitted. */
+    /** Number of events. */
     public int size() {
         return metric.size();
     }
@@ -92,7 +95,7 @@ public final class MetricFit {
     }
 
     /**
-     * Adds an event; fits and metrics that are asked for from then on are of it, too.
+     * Adds an event, which all later fits and metrics include.
      *
      * @param x projected column in px
      * @param y projected row in px
@@ -106,16 +109,16 @@ public final class MetricFit {
     }
 
     /**
-     * Adds an event of a structure as it lies in the middle of the window.
+     * Adds an event of a structure where it lies in the middle of the window.
      *
-     * @param x column, projected along the motion but for its deformation, in px, and y its row
+     * @param x column in px, projected along the motion except for its deformation, and y the row
      * @param tauS time from the middle in s
      */
     public void add(Motion along, double x, double y, double tauS, int polarity) {
         double rx = x - along.centreX;
         double ry = y - along.centreY;
         if (!along.deformation.isNone()) {
-            // far less than a pixel: what it is then deformed by changes nothing
+            // a shift of far less than a pixel, which does not change the deformation at the place
             double vx = along.deformation.vx(rx, ry);
             ry -= tauS * along.deformation.vy(rx, ry);
             rx -= tauS * vx;
@@ -123,14 +126,14 @@ public final class MetricFit {
         add((float) (along.centreX + rx), (float) (along.centreY + ry), (float) tauS, (float) rx, (float) ry, polarity);
     }
 
-    /** Whether an event is so near the border of the sensor that this may hide where it comes from or goes to. */
+    /** Whether an event is so near the border of the sensor that the border may hide where it comes from or goes to. */
     public boolean isAtBorder(int x, int y) {
         return Math.min(x, y) < BORDER_PX || x >= width - BORDER_PX || y >= height - BORDER_PX;
     }
 
     /**
-     * Says that the border cuts off the events, until they are forgotten: what is in sight for a part of the window
-     * only counts by so much more.
+     * Accounts for a border that cuts off the events, until they are forgotten: cells in sight for only a part of the
+     * window count by so much more.
      *
      * @param vx velocity that the events were projected along, in px/s, and vy
      * @param half half the window in s
@@ -141,7 +144,7 @@ public final class MetricFit {
     }
 
     /**
-     * Takes the events to grow from a place beside the centre, until they are forgotten; slopes are about the centre.
+     * Measures growth from a place beside the centre, until the events are forgotten; slopes stay about the centre.
      *
      * @param x column from the centre of rotation in px, and y the row
      */
@@ -149,7 +152,7 @@ public final class MetricFit {
         metric.growFrom(x, y);
     }
 
-    /** Whether the events meet more often as they were projected than moved back by velocity (vx, vy). */
+    /** Whether the events meet more often where they were projected than moved back by velocity (vx, vy). */
     public boolean isSharperAtRest(double vx, double vy) {
         double moved = metric(vx, vy);
         return metric.size() > 0 && metric.atVelocity(0, 0) > moved;
@@ -175,7 +178,7 @@ public final class MetricFit {
         return here;
     }
 
-    /** The same of the events as they are, whatever the border cuts off: chance that counts for more shows nothing. */
+    /** The same, whatever the border cuts off: chance meetings that count for more show nothing. */
     public double metricAsSeen(double vx, double vy) {
         return metric.isCutOff() ? metric.asSeen(vx, vy) : metric(vx, vy);
     }
@@ -186,24 +189,24 @@ public final class MetricFit {
     }
 
     /**
-     * Turns the frame of the projections to the axes of what is known, and spaces them so that each neighbour loses
-     * about the same share of the metric: an edge is sharp across and flat along.
+     * Turns the frame of the projections to the principal axes of the loss, and spaces the projections so that each
+     * neighbour loses about the same share of the metric: an edge is sharp across and flat along.
      *
-     * @param xx loss of the metric per (px/s)², as xy and yy an entry of a symmetric matrix
+     * @param xx loss of the metric per (px/s)²; xx, xy and yy are the entries of a symmetric matrix
      * @param px velocity in px/s that shifts both ends of the window by one pixel
      */
     public void frame(double ofMetric, double xx, double xy, double yy, double share, double px) {
         frame.set(ofMetric, xx, xy, yy, share, MIN_STEP_PX * px, MAX_STEP_PX * px);
     }
 
-    /** The same by what a fit found. */
+    /** The same from the result of a fit. */
     public void frame(VelocityTop top, double share, double px) {
         frame(top.metric(), top.lossXx(), top.lossXy(), top.lossYy(), share, px);
     }
 
     /**
-     * {@return the share of the metric that neighbours must lose to show a top} Few events lose as little by noise:
-     * were a metric of less than 2,500 asked for {@link #NEIGHBOUR_LOSS}, no step would ever be taken.
+     * {@return the share of the metric that neighbours must lose to show a top} Few events lose as little by noise: if
+     * a metric of less than 2,500 had to lose only {@link #NEIGHBOUR_LOSS}, no step would ever be taken.
      *
      * @param metric of the events
      */
@@ -211,7 +214,7 @@ public final class MetricFit {
         return Math.max(NEIGHBOUR_LOSS, Math.min(MOST_NEIGHBOUR_LOSS, NEIGHBOUR_SIGMAS / sd(metric)));
     }
 
-    /** {@return the standard deviation of a metric, which counts about as many meetings; 1 of one of less than 1} */
+    /** {@return the standard deviation of a metric, which counts about as many meetings; 1 for a metric below 1} */
     public static double sd(double metric) {
         return Math.sqrt(Math.max(1, metric));
     }
@@ -219,8 +222,8 @@ public final class MetricFit {
     /**
      * {@return how far something shows, 0 to 1}
      *
-     * @param value of what shows; where it is not positive, nothing does
-     * @param half value at which it shows half
+     * @param value of what shows; where this is not positive, nothing shows
+     * @param half value at which one half shows
      */
     public static double shown(double value, double half) {
         double ratio = half / value;
@@ -235,9 +238,9 @@ public final class MetricFit {
     /**
      * Fits the velocity around (vx0, vy0), which is added to the motion that the events were projected along.
      *
-     * @param sigmas a direction takes no step that loses less metric at its neighbours than this many standard
-     *     deviations of the metric, which counts about as many meetings
-     * @return the top, until the next fit of a velocity
+     * @param sigmas no step is taken in a direction in which neighbours lose less than this many standard deviations of
+     *     the metric, which counts about as many meetings
+     * @return the top, valid until the next fit of a velocity
      */
     public VelocityTop fit(double vx0, double vy0, double sigmas) {
         bySlopes = false;
@@ -255,8 +258,8 @@ public final class MetricFit {
     }
 
     /**
-     * The same from the centre and its four nearest neighbours, in half the time: in a frame along the
-     * axes of what is known, the corners tell how it has turned, and little else.
+     * The same from the centre and its four nearest neighbours, in half the time. In a frame along the principal axes
+     * of the loss, the corners show how the axes have turned, and little else.
      */
     public VelocityTop fitCross(double vx0, double vy0, double sigmas) {
         bySlopes = false;
@@ -269,7 +272,7 @@ public final class MetricFit {
         return velocity.of(frame, greatest, ga, gradient, haa, curvature, 0, sigmas);
     }
 
-    /** Asks the neighbours of a velocity along an axis of the frame how the metric changes from the middle. */
+    /** Finds slope and curvature of the metric at a velocity from its two neighbours along an axis of the frame. */
     private void ask(double vx0, double vy0, int a, int b, double middle) {
         double less = beside(vx0, vy0, -a, -b);
         double more = beside(vx0, vy0, a, b);
@@ -279,7 +282,7 @@ public final class MetricFit {
     }
 
     /**
-     * Whether neighbouring projections lie so far apart that their corners must tell how the frame is to be turned.
+     * Whether neighbouring projections lie so far apart that only their corners show how to turn the frame.
      *
      * @param px velocity in px/s that shifts both ends of the window by one pixel
      */
@@ -288,22 +291,22 @@ public final class MetricFit {
     }
 
     /**
-     * Fits the velocity around the motion itself by the slopes of the metric, and along an axis on which it is broad by
-     * the two neighbours; the frame is then taken to lie along the axes of what is known. Of events that the border
-     * cuts off, slopes do not tell how long they are in sight: as {@link #fitCross}.
+     * Fits the velocity around the motion itself by the slopes of the metric. Along a broad axis, the two neighbours
+     * serve instead, and the frame is then assumed to lie along the principal axes of the loss. If the border cuts off
+     * events, the fit is that of {@link #fitCross}, because slopes do not account for the time in sight.
      *
      * @param px velocity in px/s that shifts both ends of the window by one pixel
      * @param sigmas as for {@link #fit}
-     * @return the top, until the next fit of a velocity
+     * @return the top, valid until the next fit of a velocity
      */
     public VelocityTop fitSlopes(double px, double sigmas) {
         return fitSlopes(px, sigmas, 0);
     }
 
     /**
-     * The same, with the slopes of a plane, which are then known.
+     * The same, which also finds the slopes of a plane.
      *
-     * @param planeRadius radius of the structure in px; 0 where they will not be asked for
+     * @param planeRadius radius of the structure in px; 0 where the slopes of a plane are not needed
      */
     public VelocityTop fitSlopes(double px, double sigmas, double planeRadius) {
         if (metric.isCutOff()) {
@@ -321,7 +324,10 @@ public final class MetricFit {
         return velocity.of(frame, greatest, ga, gradient, haa, curvature, hab, sigmas);
     }
 
-    /** Looks how the metric changes along an axis of the frame: by the slopes, or if it is broad by the neighbours. */
+    /**
+     * Finds slope and curvature of the metric along an axis of the frame: by slopes, or by neighbours if the axis is
+     * broad.
+     */
     private void look(int a, int b, double px) {
         double x = frame.vx(0, a, b);
         double y = frame.vy(0, a, b);
@@ -332,14 +338,14 @@ public final class MetricFit {
         }
     }
 
-    /** Metric of a projection so many distances along the axes of the frame from a velocity. */
+    /** Metric of the projection a and b distances along the axes of the frame from a velocity. */
     private double beside(double vx0, double vy0, int a, int b) {
         return metric.atVelocity(frame.vx(vx0, a, b), frame.vy(vy0, a, b));
     }
 
     /**
      * Slopes of the metric by all parameters of the flow of a plane, around the motion that the events were projected
-     * along; until they are asked for again.
+     * along; valid until the next call.
      *
      * @param radius of the structure in px
      */
@@ -361,7 +367,9 @@ public final class MetricFit {
         return bySlopes;
     }
 
-    /** Fits of the changes of the motion, in the way that the velocity was fitted; after a fit of it around (0, 0). */
+    /**
+     * Fits of the changes of the motion, by the method of the last velocity fit, which must have been around (0, 0).
+     */
     ChangeFit changes() {
         return bySlopes ? sloped : projected.around(here);
     }
@@ -370,7 +378,7 @@ public final class MetricFit {
      * Takes a step towards the rotation and the growth by which the events meet most often.
      *
      * @param motion that the events were projected along
-     * @param perPx rotation and growth that shift the ends of the window by a pixel where the structure ends
+     * @param perPx rotation and growth that shift the far end of the structure by a pixel at the ends of the window
      */
     public void stepTurnAndGrowth(Motion motion, double perPx) {
         ChangeFit beside = projected.around(metric());
@@ -383,18 +391,18 @@ public final class MetricFit {
         motion.growth += projected.around(metric()).growth(perPx * ChangeFit.APART_PX).step();
     }
 
-    /** Adds up how the picture of the events changes; the structure has so many px of radius. */
+    /** Sums how the picture of the events changes with place; the structure has so many px of radius. */
     void structure(StructureTensor tensor, double radius) {
         metric.structure(tensor, radius);
     }
 
     /**
-     * How clearly a rotation and a growth show within parts of the events by themselves, in standard deviations of the
-     * metric: against each tile going on as its middle does, without turning or growing. Two bodies side by side agree
-     * with some rotation and growth, but neither of them turns. After a velocity fit around (0, 0).
+     * How clearly a rotation and a growth show within parts of the events, in standard deviations of the metric. The
+     * comparison is with tiles that each move as their middle does, without rotation or growth. Two bodies side by side
+     * agree with some rotation and growth, but neither of them turns. Call this after a velocity fit around (0, 0).
      *
      * @param dOmega rotation beyond that which the events were projected along, in rad/s
-     * @param dGrowth the same of the growth, in 1/s
+     * @param dGrowth the same for the growth, in 1/s
      */
     public double localEvidence(double omega, double growth, double dOmega, double dGrowth) {
         double whole = metric.atTurn(dOmega, dGrowth);

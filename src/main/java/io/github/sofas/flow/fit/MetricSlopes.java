@@ -1,8 +1,8 @@
 package io.github.sofas.flow.fit;
 
 /**
- * How the metric of a set of events changes with each parameter of their motion: what it rises by, and what another
- * motion loses, to second order. The place in the picture enters turning and growth from the structure's centre.
+ * How the metric of a set of events changes with each parameter of their motion, to second order: its rise, and the
+ * loss by another motion. Rotation and growth are about the structure's centre.
  */
 final class MetricSlopes {
     /** In votes squared. */
@@ -27,12 +27,12 @@ final class MetricSlopes {
     double lossTurn;
     /** Loss per (1/s)². */
     double lossGrow;
-    /** The same of all parameters of the flow of a plane; null where that is not asked for. */
+    /** The same for all parameters of the flow of a plane; null where these are not needed. */
     PlaneSlopes plane;
-    /** What a change of a parameter by 1 a second loses, as a share of what the parameter itself loses by 1. */
+    /** Loss by a parameter that changes by 1 per second, as a share of the loss by 1 of the parameter itself. */
     double changeShare;
 
-    /** The loss, as a bilinear form of two velocities: with itself, what a velocity loses. */
+    /** The loss as a bilinear form of two velocities; of a velocity with itself, the loss by that velocity. */
     double loss(double vx1, double vy1, double vx2, double vy2) {
         return lossXx * vx1 * vx2 + lossXy * (vx1 * vy2 + vy1 * vx2) + lossYy * vy1 * vy2;
     }
@@ -54,7 +54,7 @@ final class MetricSlopes {
         changeShare = 0;
     }
 
-    /** Multiplies what depends on how much the events vote. */
+    /** Multiplies everything that depends on how much the events vote. */
     void multiply(double by) {
         metric *= by;
         vx *= by;

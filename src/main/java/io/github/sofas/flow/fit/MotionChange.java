@@ -4,53 +4,67 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * How the motion of a structure differs from one velocity for all of it: acceleration ({@link AccelerationFit}),
- * rotation, its change, and growth. Each is measured by itself ({@link ChangeFit}), and believed as far as it passes
- * what noise could be ({@link Belief}); of a large structure rotation and growth with its deformation ({@link
- * PlaneChange}), and its motion is tracked from window to window ({@link MotionTracker}). Ours, because a velocity that
- * is that of the middle of the window lags: by 25 of a pendulum's 380 px/s.
+ * How the motion of a structure differs from one constant velocity: acceleration ({@link AccelerationFit}), rotation,
+ * its change, and growth. Each is measured separately ({@link ChangeFit}), and believed as far as it exceeds what noise
+ * could be ({@link Belief}). Rotation and growth of a large structure are measured with its deformation
+ * ({@link PlaneChange}), and its motion is tracked from window to window ({@link MotionTracker}). Ours, because a
+ * velocity that is that of the middle of the window lags: by 25 of a pendulum's 380 px/s.
  */
 public final class MotionChange {
-    /** Shift of the end of the window by a new change of the rotation that is half taken over at once, in px. */
+    /**
+     * Shift of the end of the window, in px, by a new change of the rotation at which half of what {@link #CHANGE_GAIN}
+     * leaves is adopted at once, too.
+     */
     private static final double NEWS_PX = 1;
-    /** Part of new evidence that is taken over with each measurement. */
+    /** Part of new evidence that is adopted with each measurement. */
     private static final double EVIDENCE_GAIN = 0.3;
-    /** Evidence that makes rotation and growth sure, and how far below it half of them is left. */
+    /** Evidence that makes rotation and growth sure, and the lack of it that leaves half of them. */
     private static final double SURE_SIGMAS = 0.2;
     private static final double HALF_SURE_SIGMAS = 0.14;
-    /** Evidence that is so far beyond doubt that it is asked for less often, and how often. */
+    /** Evidence beyond doubt, and the number of measurements per check of it from then on. */
     private static final double EVIDENT_SIGMAS = 1;
     private static final int EVIDENT_EVERY = 4;
-    /** Shift at the end of the window by rotation or growth below which neither shows in parts of it, in px. */
+    /**
+     * Shift at the end of the window, in px, by rotation or growth below which neither shows within parts of the
+     * structure.
+     */
     private static final double LEAST_SHOWN_PX = 0.03;
-    /** Metric that a turning or growth gains, in standard deviations, at which half of it is believed. */
+    /** Gain of the metric by a rotation or growth, in standard deviations, at which half of it is believed. */
     private static final double GAIN_SIGMAS = 0.2;
-    /** The same of a growth that is not evident: with a velocity it explains more of what is not one body, too. */
+    /** The same for a growth that is not evident: with a velocity, it also explains more of what is not one body. */
     private static final double NEW_GROWTH_SIGMAS = 2;
-    /** Belief in a rotation, 0 to 1, below which none is taken to change: little would be left of what is measured. */
+    /**
+     * Belief in a rotation, 0 to 1, below which its change is taken as none: little of a measured change would be left.
+     */
     private static final double LEAST_SPINNING = 0.1;
-    /** Measurements to one that looks again how alike the parameters of the motion are. */
+    /** Number of measurements per look at how alike the parameters of the motion are. */
     private static final int STRUCTURE_EVERY = 4;
-    /** Share of a newly measured change that is taken over: successive windows share most events. */
+    /** Share of a newly measured change that is adopted: successive windows share most of their events. */
     private static final double CHANGE_GAIN = 0.5;
-    /** Shift at the end of the window by rotation, growth and their changes that may be noise: most do neither. */
+    /**
+     * Shift at the end of the window, in px, by rotation, growth and their changes that may be noise: most structures
+     * neither turn nor grow.
+     */
     private static final double TURN_PX = 0.03;
     /**
-     * Measurements in which a structure that was just found settles, and what may be noise until then: corrections of
-     * its first velocity look like changes, and changes that are believed too early swing to and fro.
+     * Measurements for which a new structure settles. Until then, a larger shift counts as noise: corrections of the
+     * first velocity look like changes of motion, and changes that are believed too early oscillate.
      */
     private static final int SETTLING = 40;
     private static final double SETTLING_TURN_PX = 0.05;
-    /** What a single event would add to that, in px; many add less, by their number. */
+    /** What a single event would add to that noise, in px; several events add that divided by their number. */
     private static final double EVENT_TURN_PX = 60;
-    /** What is left of a change with each measurement that cannot be made. */
+    /** Share of a change that is kept at each measurement that cannot be made. */
     private static final double HELD = 0.8;
-    /** Knowledge of the other axis, as a share of the best known, from which a plane is clear, and is tracked. */
+    /**
+     * Knowledge of the second axis, as a share of that of the best known one, from which a plane is clear, and is
+     * tracked.
+     */
     private static final double CLEAR = 0.35;
-    /** Fewest px that a structure reaches from its centre for its turning and growing to be measured. */
+    /** Smallest radius of a structure, in px, for which rotation and growth are measured. */
     private static final double LEAST_RADIUS_PX = 1;
 
-    /** The change of the rotation as measured, before what may be noise is left out. */
+    /** The measured change of the rotation, before possible noise is removed. */
     private double alpha;
     private final AccelerationFit acceleration = new AccelerationFit();
     private final SeriesSlope growthSlope = new SeriesSlope();
@@ -61,19 +75,22 @@ public final class MotionChange {
     private final GrowthFit growthFit = new GrowthFit();
     private int measurements;
     private boolean isClear;
-    /** How clearly rotation and growth show within parts of the structure, in standard deviations, of late. */
+    /** How clearly rotation and growth recently showed within parts of the structure, in standard deviations. */
     private double evidence;
     /** Whether the structure is known to turn as one body, and to grow as one, whatever shows within parts of it. */
     private boolean turnsAsOne;
     private boolean growsAsOne;
-    /** Whether it is taken to come near or go away at a steady speed in depth, but for what its events show. */
+    /**
+     * Whether the structure is assumed to approach or recede at a steady speed in depth, apart from what events show
+     * beyond.
+     */
     private boolean isSteadyInDepth;
-    /** Rotation and growth as all of the structure shows them, were it one body. */
+    /** Rotation and growth that the whole structure shows if it is one body. */
     private double ofAllOmega;
     private double ofAllGrowth;
     /** Radius of the structure when it was measured last, in px. */
     private double radius;
-    /** Shift at the end of the window that may be noise of as many events as are measured, in px. */
+    /** Shift at the end of the window, in px, that may be noise with the number of measured events. */
     private double turnNoisePx;
 
     /** Begins with a steady motion. */
@@ -92,19 +109,21 @@ public final class MotionChange {
         plane.restart();
     }
 
-    /** Begins to measure a motion, at the reference that it has now: takes it back to what was measured of it. */
+    /** Begins to measure a motion at its present reference: takes it back from its tracked to its measured state. */
     public void begin(Motion motion) {
         tracker.takeBack(motion);
     }
 
     /**
-     * Measures the change, from the events that the velocity was fitted to, and gives it to the motion; the velocity at
-     * the reference, the middle of the window, stays.
+     * Measures the changes, from the events that the velocity was fitted to, and sets them in the motion. The velocity
+     * at the reference, the middle of the window, changes only by what comes with growth, with the deformation of a
+     * plane, or with tracking from window to window.
      *
-     * @param loss gets what is known of rotation and growth
+     * @param loss receives what is known of rotation and growth
      * @param half half the window in s
      * @param structureRadius of the structure in px
-     * @param isOfOnePolarity whether its events are, as those on all sides of what comes near or goes away
+     * @param isOfOnePolarity whether its events have one polarity, as those on all sides of a body that approaches or
+     *     recedes
      */
     public void measure(MetricFit fit, Motion motion, MotionLoss loss, double half, double structureRadius,
                         boolean isOfOnePolarity, SofasParameters.Track p) {
@@ -115,7 +134,7 @@ public final class MotionChange {
         boolean settles = measurements < SETTLING;
         turnNoisePx = Belief.noisePx(settles ? SETTLING_TURN_PX : TURN_PX, EVENT_TURN_PX, fit.size());
         if (p.acceleration()) {
-            // of what is steady in depth, whose size is s / (T - t), growth is g = 1 / (T - t) and each point has the
+            // a body steady in depth has the size s / (T - t), the growth g = 1 / (T - t), and at each point the
             // acceleration 2 g v, which is more than a window shows
             double perSpeed = isSteadyInDepth ? 2 * motion.growth : 0;
             acceleration.measure(fit, motion, loss, half, perSpeed, settles, isPlane);
@@ -141,7 +160,7 @@ public final class MotionChange {
         }
     }
 
-    /** Radius of a structure whose next measurement looks for the deformation of a plane; 0 where it does not. */
+    /** Radius of a structure if its next measurement looks for the deformation of a plane, else 0. */
     public double planeRadius(int events, double structureRadius, SofasParameters.Track p) {
         return p.rotation() && p.growth() && PlaneChange.mayBe(events, structureRadius, measurements + 1)
             ? structureRadius : 0;
@@ -221,30 +240,30 @@ public final class MotionChange {
         plane.hold(motion, HELD);
     }
 
-    /** Takes what turns for one body: two edges of it that turn together need not show it each by itself. */
+    /** Takes the structure to turn as one body: two of its edges that turn together need not each show the rotation. */
     public void believeTurning() {
         turnsAsOne = true;
     }
 
-    /** Takes what turns and grows for one body: none of its parts need show it by itself. */
+    /** Takes the structure to turn and grow as one body: none of its parts need show that by itself. */
     public void believeAll() {
         turnsAsOne = true;
         growsAsOne = true;
     }
 
-    /** Takes it no more for one body than what shows within parts of it. */
+    /** Takes the structure as one body only as far as rotation and growth show within parts of it. */
     public void doubtBody() {
         turnsAsOne = false;
         growsAsOne = false;
     }
 
-    /** Lets a motion turn and grow as it does if it is one body, whatever shows within parts of it. */
+    /** Gives a motion the rotation and growth of the structure as one body, whatever shows within parts of it. */
     public void applyOfAll(Motion motion) {
         motion.omega = ofAllOmega;
         motion.growth = ofAllGrowth;
     }
 
-    /** Goes on with a motion that is known from elsewhere, which is no measurement of how it changes. */
+    /** Continues with a motion that is known from elsewhere, and does not measure how the motion changes. */
     public void take() {
         growthSlope.skip();
         tracker.replace();
@@ -260,12 +279,12 @@ public final class MotionChange {
         return acceleration.sigmas();
     }
 
-    /** Whether it was that of a plane last, of which both axes are known alike. */
+    /** Whether the last acceleration was that of a plane whose axes are both known alike. */
     public boolean isKnownAlike() {
         return acceleration.isVector();
     }
 
-    /** Whether both axes of that plane are known clearly, far from those of an edge. */
+    /** Whether both axes of that plane are known clearly, unlike those of an edge. */
     public boolean isClear() {
         return isClear;
     }

@@ -1,9 +1,9 @@
 package io.github.sofas.flow.fit;
 
 /**
- * What a measurement knows of a structure's motion: the metric under it, and how much of that another motion would
- * lose, to second order. A corner loses by any other velocity, a straight edge by one across it only, and a disc loses
- * nothing by turning.
+ * What a measurement knows of a structure's motion: the metric along the motion, and how much of the metric another
+ * motion would lose, to second order. A corner loses by any other velocity, a straight edge only by a velocity across
+ * it, and a disc loses nothing by rotation.
  */
 public final class MotionLoss {
     /** In votes squared. */
@@ -20,7 +20,7 @@ public final class MotionLoss {
     public double axisX;
     public double axisY;
 
-    /** Nothing is known. */
+    /** Forgets all that is known. */
     public void clear() {
         metric = 0;
         xx = 0;
@@ -53,23 +53,23 @@ public final class MotionLoss {
     }
 
     /**
-     * {@return how well a parameter is known, in px: the standard deviation of the metric, over what it loses where the
-     * parameter shifts the ends of the window by a pixel, times that pixel} Soft pictures lose less than sharp ones.
+     * {@return how well a parameter is known, in px: the standard deviation of the metric, divided by what the metric
+     * loses where the parameter shifts the ends of the window by one pixel} Soft pictures lose less than sharp ones.
      *
-     * @param itsLoss loss by the parameter, an entry of the matrix or that of turning
+     * @param itsLoss loss by the parameter, an entry of the matrix or the loss by rotation
      * @param perUnit px that a unit of the parameter shifts the ends of the window by
      */
     double noisePx(double itsLoss, double perUnit) {
         return MetricFit.sd(metric) * perUnit * perUnit / Math.max(itsLoss, Double.MIN_NORMAL);
     }
 
-    /** What is known across the best direction, as a share of what is known along it: 0 for a straight edge. */
+    /** Knowledge across the best known direction, as a share of that along it: 0 for a straight edge. */
     double flatness() {
         double most = (xx + yy) / 2 + VelocityTop.unevenness(xx, xy, yy);
         return least() / Math.max(most, Double.MIN_NORMAL);
     }
 
-    /** Loss by a velocity, a rotation and a growth that differ by these. */
+    /** Loss by a motion whose velocity, rotation and growth differ by these amounts. */
     double of(double dvx, double dvy, double dOmega, double dGrowth) {
         return xx * dvx * dvx + 2 * xy * dvx * dvy + yy * dvy * dvy + turn * dOmega * dOmega
             + grow * dGrowth * dGrowth;

@@ -3,28 +3,29 @@ package io.github.sofas.flow.fit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Follows the velocity and the rotation of a large structure from one measurement to the next. A measurement shows the
- * motion in the middle of its window, half a window ago. Where it has gone since depends on its acceleration and its
- * jerk, of which one window tells little, and several, of other events, tell more. Ours, by multiple model estimation
- * (Magill 1965): a camera may rest on a tripod, be carried, or be moved by hand, and none of them says so. Several
- * filters have each its idea of how restless the motion is, and their mean counts, by how likely each found the
- * measurements of late.
+ * Tracks the velocity and the rotation of a large structure from one measurement to the next. A measurement shows the
+ * motion in the middle of its window, half a window ago. How the motion has changed since depends on its acceleration
+ * and jerk, of which one window shows little, and several windows with other events show more. Ours, by multiple model
+ * estimation (Magill 1965): a camera may rest on a tripod, be carried, or be moved by hand, and the events do not say
+ * which. Each of several filters assumes another restlessness of the motion. The result is their mean, weighted by how
+ * likely each filter found the recent measurements.
  *
- * <p>Measuring goes on from what was measured, not from that mean: a measurement shows only a part of what a motion is
- * off by, so that it would swing about one that is corrected late.
+ * <p>Measuring continues from the motion that was measured, not from that mean. A measurement shows only a part of the
+ * error of a motion, so that the measured motion would oscillate about a mean that is corrected late.
  */
 final class MotionTracker {
-    /** Unrest of each filter ({@link KalmanFilter}), from a tripod to a hand. */
+    /** Restlessness of each filter ({@link KalmanFilter}), from a tripod to a hand. */
     private static final double[] UNREST_PX = {0, 0.01, 0.05, 0.2};
-    /** Half windows in which what is known of how likely the filters are fades to a third. */
+    /** Number of half windows in which the likelihood of the filters fades to a third. */
     private static final double MEMORY_HALVES = 3;
     /**
-     * Time after which a third is left of an acceleration, and of a jerk, in s: what moves by hand or on foot changes
-     * within that. A camera swung once in 0.4 s, which was its window; taken on, they doubled the swing.
+     * Time, in s, after which a third is left of an acceleration, and of a jerk: a motion by hand or on foot changes
+     * within that time. One camera swung once in 0.4 s, the length of its window; carried on in full, acceleration and
+     * jerk doubled the swing.
      */
     private static final double ACCELERATION_S = 0.3;
     private static final double JERK_S = 0.2;
-    /** Shift of the ends of the window that no motion of the same structure explains. */
+    /** Shift of the ends of the window, in px, that no motion of the same structure explains. */
     private static final double ANOTHER_PX = 0.3;
 
     private final TrackedMotion[] tracked = new TrackedMotion[UNREST_PX.length];
@@ -34,7 +35,7 @@ final class MotionTracker {
     private boolean isTracking;
     /** Whether a motion was taken back and has not been tracked since. */
     private boolean isTakenBack;
-    /** Whether the motion came from elsewhere since it was measured last. */
+    /** Whether the motion was replaced since the last measurement. */
     private boolean isReplaced;
     private long beforeUs;
 
@@ -44,7 +45,7 @@ final class MotionTracker {
         }
     }
 
-    /** Ends; the motion stays as it is until it is tracked again. */
+    /** Ends tracking; the motion stays as it is until it is tracked again. */
     void stop() {
         isTracking = false;
         isTakenBack = false;
@@ -55,14 +56,14 @@ final class MotionTracker {
         return isTracking;
     }
 
-    /** Goes on with a motion that was not measured. */
+    /** Continues with a motion that was not measured. */
     void replace() {
         isReplaced = true;
     }
 
     /**
-     * Takes a motion back to what was measured of it, at the reference and the centre that it has now. One that was not
-     * tracked after that the last time is no longer the same.
+     * Takes a motion back to its measured state, at its present reference and centre. A motion that was not tracked
+     * after the last such call is no longer the same.
      */
     void takeBack(Motion motion) {
         isTracking &= !isTakenBack;
@@ -80,11 +81,11 @@ final class MotionTracker {
     }
 
     /**
-     * Takes a measurement, and gives the motion that follows from all of them.
+     * Takes a measurement, and sets the motion that follows from all measurements.
      *
      * @param motion as measured; its changes as believed
-     * @param ax acceleration as measured, before what may be noise is left out
-     * @param alpha the same of the change of the rotation
+     * @param ax measured acceleration, before possible noise is removed
+     * @param alpha the same for the change of the rotation
      * @param loss what the window knows of the motion
      * @param half half the window in s
      * @param radius of the structure in px
@@ -131,7 +132,7 @@ final class MotionTracker {
         return Math.max(Math.hypot(motion.vx - mean.vx, motion.vy - mean.vy), turned) * half < ANOTHER_PX;
     }
 
-    /** The mean of all by how likely each is, with the growth of a motion. */
+    /** Finds the mean of all filters, weighted by their likelihood, with the growth of a motion. */
     private void takeMean(Motion motion) {
         double most = Double.NEGATIVE_INFINITY;
         for (TrackedMotion t : tracked) {

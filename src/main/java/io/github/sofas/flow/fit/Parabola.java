@@ -1,8 +1,8 @@
 package io.github.sofas.flow.fit;
 
 /**
- * The metric along one parameter of the motion, as a parabola through three values shows it, or one of the same slope
- * and loss; fit by fit anew.
+ * The metric along one parameter of the motion, as a parabola: through three values of the metric, or with a given
+ * slope and loss. Each fit replaces the previous one.
  */
 final class Parabola {
     private double step;
@@ -10,10 +10,10 @@ final class Parabola {
     private double slope;
 
     /**
-     * Lays it through the metric here and at two neighbours.
+     * Lays the parabola through the metric here and at two neighbours.
      *
      * @param h distance of the neighbours, in the unit of the parameter
-     * @param floor curvature, of neighbours at a distance of 1, that a top must pass
+     * @param floor curvature, with neighbours at a distance of 1, that a top must pass
      */
     Parabola through(double less, double here, double more, double h, double floor) {
         double curvature = less + more - 2 * here;
@@ -24,11 +24,11 @@ final class Parabola {
     }
 
     /**
-     * Lays it along what the metric changes by here.
+     * Lays the parabola by slope and loss of the metric here.
      *
-     * @param rise of the metric per unit of the parameter, and what it loses per unit squared
-     * @param h distance that a step is taken in, in the unit of the parameter
-     * @param floor curvature, of neighbours at a distance of h, that a top must pass
+     * @param rise of the metric per unit of the parameter, and lossHere its loss per unit squared
+     * @param h distance in which a step is counted, in the unit of the parameter
+     * @param floor curvature, with neighbours at a distance of h, that a top must pass
      */
     Parabola along(double rise, double lossHere, double h, double floor) {
         slope = rise * h;
@@ -42,7 +42,7 @@ final class Parabola {
         return step;
     }
 
-    /** What the metric rises by from here to the neighbour above, of the part that a slope makes. */
+    /** Rise of the metric from here to the neighbour above, without the part of the curvature. */
     double slope() {
         return slope;
     }
@@ -52,7 +52,9 @@ final class Parabola {
         return loss;
     }
 
-    /** Curvature that so many standard deviations of a metric make; where votes only cancel, there are none. */
+    /**
+     * Curvature that equals so many standard deviations of a metric; 0 for a negative metric, where votes only cancel.
+     */
     static double floor(double metric, double sigmas) {
         return -2 * sigmas * Math.sqrt(Math.max(0, metric));
     }
@@ -60,7 +62,7 @@ final class Parabola {
     /** Step to the top, in distances of neighbours. */
     static double stepTo(double curvature, double gradient, double floor) {
         if (curvature >= floor) {
-            // not a top, or no events that meet: uphill only where the slope is clear
+            // no top, or no events that meet: a step uphill only where the slope is clear
             return Math.abs(gradient) > -floor ? Math.signum(gradient) : 0;
         }
         return Math.max(-1.5, Math.min(1.5, -gradient / curvature));

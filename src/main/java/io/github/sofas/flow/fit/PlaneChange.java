@@ -5,28 +5,28 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * How a large structure is deformed, with its rotation and growth: measured all at once by the slopes of the metric,
- * because each by itself is taken for another, and believed as far as the events meet more often by it. Ours: before a
- * camera that turns, or where a plane is seen at a slant, velocity, rotation and growth leave a tenth of error, and one
- * plane is several structures.
+ * The deformation of a large structure, with its rotation and growth. All of them are measured at once by the slopes of
+ * the metric, because each by itself is mistaken for another. They are believed as far as the events meet more often by
+ * the deformation. Ours: before a camera that turns, or where a plane is seen at a slant, velocity, rotation and growth
+ * leave a tenth of error, and one plane is several structures.
  */
 final class PlaneChange {
     /**
-     * Fewest px of radius: what is smaller is deformed by a part of a pixel over the window, less than what its outline
-     * or a neighbour makes it look like.
+     * Smallest radius, in px. A smaller structure is deformed by a part of a pixel over the window, less than its
+     * outline or a neighbour makes it seem.
      */
     private static final double LEAST_RADIUS_PX = 35;
-    /** Fewest events: two bodies that are taken for one would be the more so, were they taken for a plane. */
+    /** Fewest events: two bodies that are mistaken for one would be so all the more if taken for a plane. */
     private static final int LEAST_EVENTS = 2000;
-    /** Measurements from the first one on that leave it to settle. */
+    /** Number of first measurements that leave the structure to settle. */
     private static final int SETTLING = 8;
-    /** Share of the metric per px that a parameter must lose to be followed at half the step. */
+    /** Twice the share of the metric that a parameter must lose by a shift of one pixel for half of its step. */
     private static final double STIFFNESS = 0.004;
-    /** Most that a step shifts the ends of the window by at the radius, in px: as far as slopes tell. */
+    /** Greatest shift of the ends of the window by a step, at the radius, in px: slopes hold no farther. */
     private static final double MOST_PX = 0.5;
-    /** Part of a step that is taken: successive windows share most events. */
+    /** Part of a step that is taken: successive windows share most of their events. */
     private static final double GAIN = 0.5;
-    /** Metric that a deformation gains, in standard deviations, at which half of it is believed. */
+    /** Gain of the metric by a deformation, in standard deviations, at which half of the deformation is believed. */
     private static final double GAIN_SIGMAS = 0.3;
 
     private static final int FIRST = PlaneSlopes.STRETCH;
@@ -35,7 +35,7 @@ final class PlaneChange {
     private final LinearSystem system = new LinearSystem(PlaneSlopes.COUNT);
     private final double[] now = new double[PlaneSlopes.COUNT];
     private final double[] step = new double[PlaneSlopes.COUNT];
-    /** The deformation as measured, before what may be noise is left out, in px/s at the radius. */
+    /** The measured deformation, before possible noise is removed, in px/s at the radius. */
     private final double[] measured = new double[DEFORMING];
     private double half;
     private double radius;
@@ -45,7 +45,7 @@ final class PlaneChange {
         Arrays.fill(measured, 0);
     }
 
-    /** Lets go of a part of it where it cannot be measured. */
+    /** Keeps the share {@code left} of the deformation where it cannot be measured. */
     void hold(Motion motion, double left) {
         for (int k = 0; k < DEFORMING; k++) {
             measured[k] *= left;
@@ -59,9 +59,9 @@ final class PlaneChange {
     }
 
     /**
-     * Takes a step of rotation, growth and deformation, and of the velocity what they ask for.
+     * Takes a step of rotation, growth and deformation, and moves the velocity as they require.
      *
-     * @param motion has the rotation and the growth that were measured each by itself
+     * @param motion has the rotation and the growth that were each measured separately
      * @param metric of the events along the motion that they were projected along
      * @param turned rotation that the events were projected along, in rad/s, and grown the growth in 1/s
      * @param halfS half the window in s
@@ -88,7 +88,7 @@ final class PlaneChange {
         for (int k = 0; k < DEFORMING; k++) {
             measured[k] += GAIN * (now[FIRST + k] - measured[k]) + taken * step[FIRST + k];
         }
-        // what the metric loses without it, whatever velocity, rotation and growth then are
+        // what the metric loses without the deformation, with the best velocity, rotation and growth
         double gained = system.squareOfLast(measured) / 2 / MetricFit.sd(metric);
         double believed = MetricFit.shown(gained, GAIN_SIGMAS);
         double omega = motion.omega + believed * (turned + taken * step[PlaneSlopes.TURN] / radius - motion.omega);
@@ -120,7 +120,10 @@ final class PlaneChange {
         deformation.perspectiveY = believed * measured[3] / radius / radius;
     }
 
-    /** The step to the top: twice the loss times it is the rise; a deformation is drawn towards none. */
+    /**
+     * Sets up the equations of the step to the top: twice the loss times the step is the rise. The stiffness draws a
+     * deformation towards none.
+     */
     private void fill(PlaneSlopes slopes, double stiffness) {
         for (int i = 0; i < PlaneSlopes.COUNT; i++) {
             for (int j = 0; j <= i; j++) {
@@ -130,7 +133,7 @@ final class PlaneChange {
         }
     }
 
-    /** Moves the velocity, which was fitted without the step, to where it is best with it. */
+    /** Moves the velocity, which was fitted without the step, to where it is best with the step. */
     private void followVelocity(PlaneSlopes slopes, double stiffness, double believed, Motion motion) {
         double xx = 2 * slopes.loss(0, 0) + stiffness;
         double xy = 2 * slopes.loss(0, 1);

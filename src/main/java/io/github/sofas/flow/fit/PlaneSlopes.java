@@ -3,9 +3,9 @@ package io.github.sofas.flow.fit;
 import java.util.Arrays;
 
 /**
- * How the metric of a set of events changes with the parameters of the flow of a plane, all at once: what it rises by
- * with each, and what it loses, to second order, with each two of them. The parameters are velocities in px/s: that of
- * the centre, and those which rotation, growth, stretch, shear and perspective give what lies a radius from it.
+ * How the metric of a set of events changes with all parameters of the flow of a plane, to second order: its rise by
+ * each parameter, and its loss by each pair of parameters. The parameters are velocities in px/s: that of the centre,
+ * and those which rotation, growth, stretch, shear and perspective give a point one radius from the centre.
  */
 final class PlaneSlopes {
     /** Parameters: velocity to the right and downwards, rotation, growth, and four of the deformation. */
@@ -20,11 +20,11 @@ final class PlaneSlopes {
     private double radius;
     private final double[] rise = new double[COUNT];
     private final double[][] loss = new double[COUNT][COUNT];
-    /** Velocity that a unit of each parameter but those of the centre gives the place that was asked for. */
+    /** Velocity that a unit of each parameter, except those of the centre, gives the place that is added. */
     private final double[] ux = new double[COUNT];
     private final double[] uy = new double[COUNT];
 
-    /** Begins with no events, of a structure with so many px of radius. */
+    /** Begins without events, for a structure with so many px of radius. */
     void begin(double structureRadius) {
         radius = structureRadius;
         Arrays.fill(rise, 0);
@@ -37,12 +37,12 @@ final class PlaneSlopes {
      * Adds a place.
      *
      * @param rx px from the centre to the right, and ry downwards
-     * @param riseX what the metric rises by there per px/s to the right, and riseY downwards
-     * @param xx what it loses there per (px/s)², as xy and yy an entry of a symmetric matrix
+     * @param riseX rise of the metric there per px/s to the right, and riseY downwards
+     * @param xx loss of the metric there per (px/s)²; xx, xy and yy are the entries of a symmetric matrix
      */
     void add(double rx, double ry, double riseX, double riseY, double xx, double xy, double yy) {
         flowAt(rx / radius, ry / radius);
-        // the velocity of the centre is that of all places
+        // the velocity of the centre moves all places alike
         rise[0] += riseX;
         rise[1] += riseY;
         loss[0][0] += xx;
@@ -76,7 +76,7 @@ final class PlaneSlopes {
         uy[PERSPECTIVE_Y] = y * y;
     }
 
-    /** Multiplies all of it. */
+    /** Multiplies all rises and losses. */
     void multiply(double by) {
         for (int i = 0; i < COUNT; i++) {
             rise[i] *= by;

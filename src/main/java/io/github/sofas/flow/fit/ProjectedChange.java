@@ -1,6 +1,6 @@
 package io.github.sofas.flow.fit;
 
-/** Fits changes of a motion by two projections beside it. */
+/** Fits changes of a motion by two projections, one on each side of it. */
 final class ProjectedChange implements ChangeFit {
     private final Metric metric;
     private final double[] lessAndMore = new double[2];
@@ -11,7 +11,7 @@ final class ProjectedChange implements ChangeFit {
         this.metric = metric;
     }
 
-    /** Goes on with events whose metric along the motion itself is known. */
+    /** Continues with events whose metric along the motion itself is known. */
     ProjectedChange around(double metricHere) {
         here = metricHere;
         return this;

@@ -16,10 +16,10 @@ final class ProjectionFrame {
     }
 
     /**
-     * Turns the frame to the axes of what is known, and spaces the projections so that each neighbour loses about the
-     * same share of the metric: an edge is sharp across and flat along.
+     * Turns the frame to the principal axes of the loss, and spaces the projections so that each neighbour loses about
+     * the same share of the metric: an edge is sharp across and flat along.
      *
-     * @param xx loss of the metric per (px/s)², as xy and yy an entry of a symmetric matrix
+     * @param xx loss of the metric per (px/s)²; xx, xy and yy are the entries of a symmetric matrix
      * @param least distance in px/s
      * @param most distance in px/s
      */
@@ -44,7 +44,7 @@ final class ProjectionFrame {
         h2 *= factor;
     }
 
-    /** Velocity to the right of a projection that lies a and b distances along the axes from one of vx0, in px/s. */
+    /** Velocity to the right, in px/s, of the projection a and b distances along the axes from one of vx0. */
     double vx(double vx0, double a, double b) {
         return vx0 + a * h1 * directionX - b * h2 * directionY;
     }

@@ -1,34 +1,35 @@
 package io.github.sofas.flow.fit;
 
 /**
- * How fast a parameter of the motion changes, from one measurement of it to the next. Ours, because within one window
- * the metric shows too little of it: what comes near at a steady speed grows faster and faster, and a camera moved by
- * hand accelerates now one way, now the other.
+ * How fast a parameter of the motion changes from one measurement of it to the next. Ours, because the metric of a
+ * single window shows too little of the change: a body that approaches at a steady speed grows faster and faster, and a
+ * camera moved by hand accelerates now one way, now the other.
  *
- * <p>A mean of the slopes between measurements, over about half a window; none until the parameter has settled, because
- * the first measurements come from nothing and look like a steep rise.
+ * <p>The result is a mean of the slopes between measurements, over about half a window. There is none until the
+ * parameter has settled, because the first measurements start from nothing and look like a steep rise.
  */
 final class SeriesSlope {
-    /** Correction of a measurement at the end of the window, in px, above which the parameter has not settled. */
+    /** Correction by a measurement, in px at the end of the window, above which the parameter has not settled. */
     private static final double UNSETTLED_PX = 0.3;
     /**
-     * Difference from the value before, in px at the end of the window, above which one that was not measured is that
-     * of another structure: a piece of a picture that grows shows little growth, and the whole picture all of it.
+     * Difference from the value before, in px at the end of the window, above which a value that follows an unmeasured
+     * one belongs to another structure: a piece of a growing picture shows little growth, and the whole picture all of
+     * it.
      */
     private static final double ANOTHER_PX = 0.1;
-    /** Part of half a window that must be new since it was unsettled. */
+    /** Part of half a window that must be new since the parameter was unsettled. */
     private static final double LEAST_NEWS = 0.6;
 
     private double slope;
-    /** Mean square of what slopes between two measurements differ from their mean by. */
+    /** Mean square deviation of the slopes between two measurements from their mean. */
     private double scatter;
-    /** Mean part of half a window that two measurements lie apart by. */
+    /** Mean distance of two measurements in time, as a part of half a window. */
     private double apart;
     private double before;
     private long beforeUs;
     /** Whether there is a value before. */
     private boolean follows;
-    /** Half windows that were measured since the parameter settled. */
+    /** Number of half windows that were measured since the parameter settled. */
     private double news;
 
     /** Begins without measurements. */
@@ -44,9 +45,9 @@ final class SeriesSlope {
      * Takes a measurement.
      *
      * @param value of the parameter in the middle of the window
-     * @param timeUs the middle of the window; one that is no later than that before tells nothing of the slope
+     * @param timeUs the middle of the window; if it is no later than the one before, it shows nothing of the slope
      * @param step correction of the parameter by this measurement
-     * @param perPx what shifts the end of the window by a px
+     * @param perPx value that shifts the end of the window by one pixel
      * @param half half the window in s
      */
     void measured(double value, long timeUs, double step, double perPx, double half) {
@@ -76,20 +77,23 @@ final class SeriesSlope {
         slope *= share;
     }
 
-    /** Goes on from a value that was not measured: what leads there is no slope, or that of another structure. */
+    /**
+     * Continues from a value that was not measured: the way to the next one is no slope, or that of another structure.
+     */
     void skip() {
         follows = false;
     }
 
     /**
-     * What noise of the measurements may make of the slope, a second: of slopes between neighbours, which share a value
-     * each, the first and the last value are left in a mean, so that it differs by as much less as there are of them.
+     * Error that noise of the measurements may cause in the slope, per second. Neighbouring slopes share a value each,
+     * so that only the first and the last value are left in their mean. The mean deviates the less, the more slopes
+     * there are.
      */
     double noisePerS() {
         return Math.sqrt(scatter) * apart;
     }
 
-    /** Change of the parameter a second; 0 where it is not known. */
+    /** Change of the parameter per second; 0 where it is not known. */
     double perS() {
         return slope;
     }

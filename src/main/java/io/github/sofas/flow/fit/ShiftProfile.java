@@ -1,14 +1,15 @@
 package io.github.sofas.flow.fit;
 
 /**
- * How far a change of the motion by one unit shifts each event of a set: its time from the reference for a velocity,
- * half of the square of that for an acceleration. Kept as integers, because shifting events is most of the work of a
- * fit, and processors shift several at once where no number has to be rounded.
+ * How far a change of the motion by one unit shifts each event of a set. For a velocity, that is the time of the event
+ * from the reference; for an acceleration, the square of that time, which its caller halves. Shifts are integers,
+ * because shifting events is most of the work of a fit, and processors shift several at once where no number has to be
+ * rounded.
  */
 final class ShiftProfile {
-    /** Shifts are whole numbers below 2^this, and their unit is a power of two: exact to a few parts in 100,000. */
+    /** Shifts are whole numbers below 2^{@value}, and their unit is a power of two: exact to a few parts in 100,000. */
     static final int BITS = 14;
-    /** A greatest shift below this is none: its unit's reciprocal would not be a number. */
+    /** A greatest shift below this counts as 0: the reciprocal of its unit would be infinite. */
     private static final float LEAST = 1e-30f;
 
     final int[] shift;
@@ -29,7 +30,7 @@ final class ShiftProfile {
         return mostShift;
     }
 
-    /** Takes the products of the shifts of two others. */
+    /** Takes the products of the shifts of two other profiles. */
     void takeProduct(ShiftProfile one, ShiftProfile other, int size) {
         int greatest = one.mostShift * other.mostShift;
         int down = Math.max(0, Integer.SIZE - Integer.numberOfLeadingZeros(greatest) - BITS);
@@ -44,7 +45,7 @@ final class ShiftProfile {
         }
     }
 
-    /** Takes over the shifts of the first events. */
+    /** Takes the shifts of the first {@code size} events. */
     void take(float[] values, int size) {
         float most = 0;
         for (int i = 0; i < size; i++) {

@@ -5,7 +5,7 @@ final class SlopedChange implements ChangeFit {
     private final MetricSlopes slopes;
     private final Parabola fitted = new Parabola();
 
-    /** Fits by slopes that are those of the last events whenever it is asked. */
+    /** Makes fits by slopes, which must be those of the present events at each call. */
     SlopedChange(MetricSlopes slopes) {
         this.slopes = slopes;
     }

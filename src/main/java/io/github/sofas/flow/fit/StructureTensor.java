@@ -3,36 +3,37 @@ package io.github.sofas.flow.fit;
 import java.util.Arrays;
 
 /**
- * How the picture of a structure's events changes when it moves right, moves down, turns and grows, and how far these
- * changes are alike: the structure tensor of all four. Ours, because each parameter of the motion is measured by
- * itself, and an arc that slides along itself looks as if it turned about its middle: without the tensor, a disc found
- * in two arcs stayed two that turn. Only what shows of a parameter beyond the others is known of it.
+ * The structure tensor of four motions: how the picture of a structure's events changes when it moves right, moves
+ * down, turns and grows, and how far these changes are alike. Ours, because each parameter of the motion is measured
+ * separately, and an arc that slides along itself looks as if it turned about its middle. Without the tensor, a disc
+ * that was found as two arcs stayed two structures that turn. A parameter is known only as far as it shows beyond the
+ * other parameters.
  *
- * <p>A mean over the measurements of late, because one sample of events is a rough picture. The mean is of what shows
- * in each picture, not of the pictures: turning about a centre beside that of a disc is a shift, in another direction
- * for each such centre, and a mean of pictures hides that. The disc would seem to turn.
+ * <p>The results are means over recent measurements, because one sample of events is a rough picture. Each mean is over
+ * what shows in the pictures, not over the pictures. Rotation about a centre beside that of a disc is a shift, in
+ * another direction for each such centre. A mean of pictures would hide that, and the disc would seem to turn.
  */
 final class StructureTensor {
-    /** Number of the turning among the four parameters, and of the growth. */
+    /** Index of the rotation among the four parameters, and of the growth. */
     static final int TURN = 2;
     static final int GROW = 3;
     private static final int N = 4;
-    /** Share of the changes that may be noise, so that parameters of which nothing shows take nothing away. */
+    /** Share of the changes that may be noise, so that parameters that do not show take nothing from the others. */
     private static final double NOISE = 0.005;
-    /** Part of a new picture that is taken over. */
+    /** Part of a new picture that is adopted. */
     private static final double GAIN = 0.5;
-    /** Share of all that velocities change which along either axis may be noise: along an edge nothing is known. */
+    /** Share of all changes by velocities that may be noise along either axis: along an edge nothing is known. */
     private static final double FLAT = 0.1;
 
     private final double[][] sum = new double[N][N];
-    /** What shows of each parameter as a share of all that shows, and what of that is its own: means of late. */
+    /** Share of each parameter in all that shows, and the part that is its own: means over recent pictures. */
     private final double[] shows = new double[N];
     private final double[] own = new double[N];
-    /** The velocity that changes the picture as a growth does, in px/s per px/s at the radius: a mean of late. */
+    /** The velocity that changes the picture as growth does, in px/s per px/s at the radius: a recent mean. */
     private double growsFromX;
     private double growsFromY;
     private boolean known;
-    // by how much each parameter changes a place of the one picture, and of the other
+    // changes of a place by each parameter, in the one picture and in the other
     private final double[] one = new double[N];
     private final double[] other = new double[N];
     private final double[][] left = new double[N][N];
@@ -52,11 +53,11 @@ final class StructureTensor {
     }
 
     /**
-     * Adds a place of the picture, seen twice by events of their own, so that the noise of either has no part.
+     * Adds a place of the picture. Two pictures of separate events show it, so that the noise of neither contributes.
      *
      * @param gx slope of the one picture to the right, and gy downwards
      * @param hx slope of the other picture to the right, and hy downwards
-     * @param x column from the centre of turning and growth, in radii of the structure, and y the row
+     * @param x column from the centre of rotation and growth, in radii of the structure, and y the row
      */
     void add(double gx, double gy, double hx, double hy, double x, double y) {
         load(one, gx, gy, x, y);
@@ -75,7 +76,7 @@ final class StructureTensor {
         change[GROW] = slopeX * x + slopeY * y;
     }
 
-    /** Takes the picture into the mean, unless there is nothing but noise. */
+    /** Adds the picture to the means, unless it holds nothing but noise. */
     void end() {
         double all = 0;
         for (int i = 0; i < N; i++) {
@@ -91,7 +92,7 @@ final class StructureTensor {
         takeGrowsFrom(gain);
     }
 
-    /** Takes over from the picture the velocity that explains the most of what growth changes. */
+    /** Updates the velocity that explains the most of the change by growth. */
     private void takeGrowsFrom(double gain) {
         double noise = FLAT * Math.max(0, sum[0][0] + sum[1][1]);
         double xx = Math.max(0, sum[0][0]) + noise;
@@ -106,7 +107,7 @@ final class StructureTensor {
         }
     }
 
-    /** Takes over from the picture what shows of a parameter, and what of that no other can explain. */
+    /** Updates how much of a parameter shows, and how much of that no other parameter can explain. */
     private void take(int parameter, double all, double gain) {
         for (int i = 0; i < N; i++) {
             for (int j = 0; j < N; j++) {
@@ -125,14 +126,16 @@ final class StructureTensor {
         own[parameter] += gain * (ownShown - own[parameter]);
     }
 
-    /** What shows of a parameter that none of the others can explain, as a share of what shows of it: 0 to 1. */
+    /**
+     * The part of a parameter that none of the others can explain, as a share of what shows of the parameter: 0 to 1.
+     */
     double own(int parameter) {
         return known ? own[parameter] / shows[parameter] : 0;
     }
 
     /**
-     * Column, from the centre and in radii, of the place from which a growth changes the picture least as a velocity
-     * does; from another place, the two are taken for each other.
+     * Column, from the centre and in radii, of the place from which growth and velocity change the picture least alike;
+     * from any other place, one is mistaken for the other.
      */
     double growsFromX() {
         return growsFromX;
@@ -143,7 +146,7 @@ final class StructureTensor {
         return growsFromY;
     }
 
-    /** Takes away from all others what a parameter explains of them: a step of Gauss's elimination. */
+    /** Removes from all other parameters what one parameter explains of them: a step of Gaussian elimination. */
     private void explain(int by) {
         for (int i = 0; i < N; i++) {
             if (i != by) {

@@ -2,9 +2,12 @@ package io.github.sofas.flow.fit;
 
 import java.util.Arrays;
 
-/** Tiles of a structure, whose events lie near each other: their middles, and the one that each event lies on. */
+/**
+ * Tiles that divide a structure into parts whose events lie near each other: the middle of each tile, and the tile that
+ * each event lies on.
+ */
 final class Tiles {
-    /** Side of a tile in px, and tiles along each axis; those at the border take what lies beyond. */
+    /** Side of a tile in px, and tiles along each axis; the outermost tiles include what lies beyond them. */
     private static final float TILE_PX = 32;
     private static final int TILES = 64;
 
@@ -17,7 +20,7 @@ final class Tiles {
         tile = new int[capacity];
     }
 
-    /** Finds the tiles of so many events at these places from the structure's centre, in px. */
+    /** Finds the tiles of the first {@code size} events, at these places from the structure's centre, in px. */
     void find(float[] x, float[] y, int size) {
         Arrays.fill(middleX, 0);
         Arrays.fill(middleY, 0);
@@ -46,7 +49,7 @@ final class Tiles {
         return tile;
     }
 
-    /** Mean place of the events of each tile from the structure's centre, in px; 0 where a tile has none. */
+    /** Mean place of the events of each tile from the structure's centre, in px; 0 for a tile without events. */
     float[] middleX() {
         return middleX;
     }

@@ -2,27 +2,26 @@ package io.github.sofas.flow.fit;
 
 /**
  * The bilinear votes of events in three pictures: of the events, of their times, and of the squares of their times. One
- * look at the cells of the three gives the slope of the metric by every parameter of the motion, and the loss beside
- * it. Ours, because each projection beside the motion takes votes of its own, two for each parameter, and tells it less
- * exactly.
+ * scan of the cells gives the slope of the metric by every parameter of the motion, and the loss beside the motion.
+ * Ours, because projections beside the motion need votes of their own, two for each parameter, and are less exact.
  *
- * <p>The metric is a sum over pairs of events of a function K of what lies between them. A parameter p that shifts an
- * event of time t by p t u, where u depends on its place and is about the same for events that meet, makes it rise by
- * the sum of (t1 - t2) u K', and bend by that of (t1 - t2)² u² K''. With V the picture of the events, T that of their
- * times and Q that of the squares, these are sums over cells: of 2 u T V', and of 2 u² (Q V'' - T T''). What an event
- * adds by meeting itself falls out of both, for its t1 - t2 is 0. Slopes and bends of a picture are those of a parabola
- * through neighbouring cells.
+ * <p>The metric is a sum over pairs of events of a function K of the distance between the two. Consider a parameter p
+ * that shifts an event of time t by p t u, where u depends on the place and is about the same for events that meet. The
+ * metric then rises by the sum of (t1 - t2) u K', and bends by the sum of (t1 - t2)² u² K''. Let V be the picture of
+ * the events, T that of their times and Q that of the squares. Then these are sums over cells of 2 u T V', and of 2 u²
+ * (Q V'' - T T''). What an event adds by meeting itself drops out of both, because its t1 - t2 is 0. Slopes and bends
+ * of a picture are those of a parabola through neighbouring cells.
  */
 final class TimedVotes {
     /** Times are whole numbers up to this, so that the squares of as many events as are measured fit an int. */
     static final int MOST_TIME = 22;
     private static final int TIME_BITS = 16;
-    /** Cells of a block: those that no event has a vote for are passed over. */
+    /** Cells of a block, as a power of two; blocks without votes are skipped. */
     private static final int BLOCK_BITS = 3;
     private static final int KEYS = BilinearAccumulator.KEYS;
     private static final double ONE = Math.pow(BilinearAccumulator.SUB, -4);
 
-    /** Votes in the low half, votes times time in the high half of each cell; empty between two calls. */
+    /** Votes in the low half, votes times time in the high half of each cell; all 0 between two calls. */
     private final long[] pairs;
     private final int[] squares;
     private final byte[] used;
@@ -45,10 +44,10 @@ final class TimedVotes {
     }
 
     /**
-     * Adds what the events tell of each parameter.
+     * Adds what the events show of each parameter.
      *
-     * @param at cell, sign and place in the cell of each event, of which there are some; those on the outermost cells
-     *     tell nothing
+     * @param at cell, sign and place in the cell of each event, at least one; events on the outermost cells show
+     *     nothing
      * @param time of each event from the reference in s
      * @param columns of the grid, and rows
      * @param x0 column of the first cell from the structure's centre, in px, and y0 its row
@@ -103,7 +102,7 @@ final class TimedVotes {
     }
 
     private void look(int columns, int rows, double x0, double y0, double cellPx, double unit, MetricSlopes to) {
-        // the slope is that between two cells on both sides, of each of the two events of a pair
+        // the slope is half the difference of the cells on both sides, and counts for each of the two events of a pair
         double slope = -ONE / cellPx * unit;
         double loss = -ONE / (cellPx * cellPx) * unit * unit;
         double perColumn = 1.0 / columns;
@@ -141,7 +140,7 @@ final class TimedVotes {
                 double ry = y0 + row * cellPx;
                 int gx = (int) (pairs[c + 1] - pairs[c - 1]);
                 int gy = (int) (pairs[c + columns] - pairs[c - columns]);
-                // of the square of time what differs from its mean: what shifts all events alike changes nothing
+                // squares of time count by their difference from the mean: what shifts all events alike changes nothing
                 double late = q - square * v;
                 vx += (double) gx * t;
                 vy += (double) gy * t;
@@ -180,7 +179,9 @@ final class TimedVotes {
         to.lossGrow += lossGrow * loss;
     }
 
-    /** The part of a cell in the sum over pairs of (t1 - t2)² K'', K'' of both pictures in one number. */
+    /**
+     * The part of a cell in the sum over pairs of (t1 - t2)² K''; {@code both} holds K'' of two pictures in one number.
+     */
     private static double bend(int q, long t, long both) {
         int ofEvents = (int) both;
         return (double) q * ofEvents - (double) t * (both - ofEvents >> Integer.SIZE);

@@ -2,7 +2,10 @@ package io.github.sofas.flow.fit;
 
 import io.github.sofas.flow.motion.Motion;
 
-/** A motion that follows what is measured by one idea of how fast its changes change ({@link KalmanFilter}). */
+/**
+ * A motion that follows the measurements under one assumption of how restless it is. Velocity along both axes and
+ * rotation have a filter each ({@link KalmanFilter}).
+ */
 final class TrackedMotion {
     private final Motion motion = new Motion();
     private final boolean isSteady;
@@ -11,7 +14,11 @@ final class TrackedMotion {
     private final KalmanFilter turn;
     private double logLikelihood;
 
-    /** @param unrestPx as of {@link KalmanFilter#KalmanFilter} */
+    /**
+     * Makes a motion that was not measured yet.
+     *
+     * @param unrestPx as of {@link KalmanFilter#KalmanFilter}
+     */
     TrackedMotion(double unrestPx) {
         isSteady = unrestPx == 0;
         x = new KalmanFilter(unrestPx);
@@ -34,12 +41,12 @@ final class TrackedMotion {
     /**
      * Takes a measurement.
      *
-     * @param measured about the same reference and centre
+     * @param measured motion about the same reference and centre
      * @param loss what the window knows of the motion
-     * @param dt time since the reference of the one before, in s
+     * @param dt time since the reference of the measurement before, in s
      * @param half half the window in s
      * @param radius of the structure in px
-     * @param kept share of what the likelihood was of measurements before
+     * @param kept share of the log-likelihood of earlier measurements that is kept
      */
     void correct(Motion measured, MotionLoss loss, double dt, double half, double radius, double kept) {
         double travel = 2 * half;
@@ -68,7 +75,7 @@ final class TrackedMotion {
         return motion;
     }
 
-    /** Logarithm of how likely the measurements of late were, but for a constant that all have in common. */
+    /** Log-likelihood of the recent measurements, up to a constant that all tracked motions have in common. */
     double logLikelihood() {
         return logLikelihood;
     }

@@ -1,8 +1,9 @@
 package io.github.sofas.flow.fit;
 
 /**
- * The top of the metric over velocities, as a quadratic through projections around one shows it: the step to it, and
- * how much metric other velocities would lose, which is what is known of the velocity. Fit by fit anew.
+ * The top of the metric over velocities, by a quadratic through the projections around a velocity. It gives the step to
+ * the top, and how much metric other velocities would lose, which is what is known of the velocity. Each fit replaces
+ * the previous one.
  */
 public final class VelocityTop {
     private double metric;
@@ -18,12 +19,12 @@ public final class VelocityTop {
     private boolean flat;
 
     /**
-     * Finds it.
+     * Finds the top.
      *
      * @param greatest of the metrics that the quadratic goes through
-     * @param ga gradient, as the Hessian in units of the frame
-     * @param sigmas a direction takes no step that loses less metric at its neighbours than this many standard
-     *     deviations of the metric, which counts about as many meetings
+     * @param ga gradient along the first axis of the frame; like the Hessian, in units of the frame
+     * @param sigmas no step is taken in a direction in which neighbours lose less than this many standard deviations of
+     *     the metric, which counts about as many meetings
      */
     VelocityTop of(ProjectionFrame frame, double greatest, double ga, double gb, double haa, double hbb, double hab,
                    double sigmas) {
@@ -44,18 +45,18 @@ public final class VelocityTop {
         double a = s1 * ca - s2 * sa;
         double b = s1 * sa + s2 * ca;
         steps = Math.sqrt(s1 * s1 + s2 * s2);
-        // the direction that is known less took no step, and had no slope to take one
+        // the less known direction took no step, and had no slope for one
         flat = s2 == 0;
         stepX = frame.vx(0, a, b);
         stepY = frame.vy(0, a, b);
-        // only curvature that falls away is knowledge
+        // only downward curvature is knowledge
         double c1 = -Math.min(mean - root, 0) / 2;
         double c2 = -Math.min(mean + root, 0) / 2;
         know(frame, c1 * ca * ca + c2 * sa * sa, (c1 - c2) * sa * ca, c1 * sa * sa + c2 * ca * ca);
         return this;
     }
 
-    /** Turns what is known along the axes of the frame to those of the sensor. */
+    /** Converts the losses along the axes of the frame to those along the axes of the sensor. */
     private void know(ProjectionFrame frame, double aa, double ab, double bb) {
         double x = frame.directionX();
         double y = frame.directionY();
@@ -80,7 +81,7 @@ public final class VelocityTop {
         return lossXx;
     }
 
-    /** The same, of both axes. */
+    /** The same, for both axes. */
     public double lossXy() {
         return lossXy;
     }
@@ -100,7 +101,7 @@ public final class VelocityTop {
         return (lossXx + lossYy) / 2 - unevenness(lossXx, lossXy, lossYy);
     }
 
-    /** Half of what the losses along the best known direction and across it differ by. */
+    /** Half of the difference between the losses along the best known direction and across it. */
     static double unevenness(double xx, double xy, double yy) {
         double dif = (xx - yy) / 2;
         return Math.sqrt(dif * dif + xy * xy);
@@ -132,14 +133,14 @@ public final class VelocityTop {
     }
 
     /**
-     * How clearly the top lies elsewhere: what the metric rises by from the middle to a neighbour, along the axis on
+     * How clearly the top lies elsewhere: the rise of the metric from the middle to a neighbour, along the axis on
      * which it rises more, in standard deviations of the metric. Noise has 0.5, whatever the number of events.
      */
     public double slopeSigmas() {
         return slopeSigmas;
     }
 
-    /** Whether the metric leaves open the velocity across the best known direction. */
+    /** Whether the metric does not determine the velocity across the best known direction. */
     public boolean isFlat() {
         return flat;
     }

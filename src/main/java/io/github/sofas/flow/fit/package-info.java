@@ -1,7 +1,8 @@
 /**
- * The motion under which events are sharpest, and how well the events determine it. Open
- * {@link io.github.sofas.flow.fit.MetricFit} first.
+ * Fits of motion: the motion under which a set of events is sharpest, and how well the events determine that motion.
+ * Start reading with {@link io.github.sofas.flow.fit.MetricFit}.
  *
- * <p>A room of {@code flow}: what is public here is public for the other rooms, and may change with any version.
+ * <p>This package is a room of {@code flow}: its public types are public for the other rooms, and may change with any
+ * version.
  */
 package io.github.sofas.flow.fit;

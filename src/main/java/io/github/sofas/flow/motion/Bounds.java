@@ -1,18 +1,18 @@
 package io.github.sofas.flow.motion;
 
-/** The box around some places, upright; made once and used again. */
+/** The upright bounding box of a set of places, in px. One instance is made once and reused. */
 public final class Bounds {
     private double left;
     private double top;
     private double right;
     private double bottom;
 
-    /** Makes it around no place. */
+    /** Makes an empty box. */
     public Bounds() {
         clear();
     }
 
-    /** Begins around no place: its left side is then infinitely far to the right, and so on. */
+    /** Empties the box: its left side is then infinitely far to the right, and so on for the other sides. */
     public void clear() {
         left = Double.POSITIVE_INFINITY;
         top = Double.POSITIVE_INFINITY;
@@ -20,7 +20,7 @@ public final class Bounds {
         bottom = Double.NEGATIVE_INFINITY;
     }
 
-    /** Widens it so that it holds a place. */
+    /** Extends the box to hold a place. */
     public void include(double x, double y) {
         left = Math.min(left, x);
         top = Math.min(top, y);
@@ -28,7 +28,7 @@ public final class Bounds {
         bottom = Math.max(bottom, y);
     }
 
-    /** Makes it a box that is known. */
+    /** Sets the four sides. */
     public void set(double toLeft, double toTop, double toRight, double toBottom) {
         left = toLeft;
         top = toTop;
@@ -36,12 +36,12 @@ public final class Bounds {
         bottom = toBottom;
     }
 
-    /** Whether it holds a place, or lies beside it by so many px along either axis at most. */
+    /** Whether a place lies in the box, or outside by at most a margin in px along each axis. */
     public boolean isAround(double x, double y, double marginPx) {
         return x >= left - marginPx && x <= right + marginPx && y >= top - marginPx && y <= bottom + marginPx;
     }
 
-    /** Whether it and another lie no farther apart than a gap in px, along both axes. */
+    /** Whether this box and another lie no farther apart than a gap in px, along both axes. */
     public boolean isWithin(double gapPx, Bounds other) {
         return left <= other.right + gapPx && other.left <= right + gapPx
             && top <= other.bottom + gapPx && other.top <= bottom + gapPx;

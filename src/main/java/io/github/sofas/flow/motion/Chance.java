@@ -1,27 +1,27 @@
 package io.github.sofas.flow.motion;
 
 /**
- * What noise does by chance.
+ * Probabilities of what noise does by chance.
  *
- * <p>How often there is noise of which m events are expected is taken for m / (1 + m): a little less than the
- * 1 - exp(-m) of a Poisson process, by a tenth where m is 0.25 and a fifth where it is 0.75, and the same on each
- * machine.
+ * <p>Where m noise events are expected, the probability of at least one is taken as m / (1 + m). That is a little less
+ * than the 1 - exp(-m) of a Poisson process: by a tenth for m = 0.25 and by a fifth for m = 0.75. In return, it is the
+ * same on every machine.
  */
 public final class Chance {
     private Chance() {
     }
 
-    /** How often there is noise of which so many events are expected, of 1. */
+    /** Probability, from 0 to 1, of at least one noise event where so many are expected. */
     public static double share(double expected) {
         return expected / (1 + expected);
     }
 
     /**
-     * What so many parts of which each counts for itself seldom pass together.
+     * Count that so many independent parts together seldom exceed.
      *
-     * @param mean of what a part counts
-     * @param square mean of its square
-     * @param sigmas standard deviations over the mean of all parts
+     * @param mean mean count of one part
+     * @param square mean of the square of that count
+     * @param sigmas standard deviations by which the result lies above the mean of all parts together
      */
     public static double most(int parts, double mean, double square, double sigmas) {
         return parts * mean + sigmas * Math.sqrt(parts * (square - mean * mean));

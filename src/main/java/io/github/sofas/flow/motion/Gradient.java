@@ -1,18 +1,20 @@
 package io.github.sofas.flow.motion;
 
 /**
- * What rotation, growth, stretch and shear make in a time of the px between a point and the centre of a motion: a
- * matrix. Perspective, which no matrix is, is left out.
+ * The matrix by which rotation, growth, stretch and shear change, within a time, the offset in px of a point from the
+ * centre of a motion. Perspective is left out, because no matrix describes it.
+ *
+ * <p>{@link #takeFirstOrder} sets the change of the offset, {@link #take} the whole offset after the time.
  */
 public final class Gradient {
-    /** Px to the right, then downwards, by a px to the right. */
+    /** Px to the right (xx) and downwards (yx) for each px of offset to the right. */
     public double xx;
     public double yx;
-    /** The same by a px downwards. */
+    /** Px to the right (xy) and downwards (yy) for each px of offset downwards. */
     public double xy;
     public double yy;
 
-    /** Becomes what is added in a short time, in s: the flow itself. */
+    /** Sets what is added to an offset within a short time, in s: the flow, times that time. */
     public void takeFirstOrder(Motion motion, double seconds) {
         xx = (motion.growth + motion.deformation.stretch) * seconds;
         xy = (motion.deformation.shear - motion.omega) * seconds;
@@ -20,11 +22,11 @@ public final class Gradient {
         yy = (motion.growth - motion.deformation.stretch) * seconds;
     }
 
-    /** Becomes what they are after a time, in s, exactly: the exponential of the flow. */
+    /** Sets what an offset becomes after a time, in s, exactly: the exponential of the flow. */
     public void take(Motion motion, double seconds) {
         double stretch = motion.deformation.stretch;
         double shear = motion.deformation.shear;
-        // without growth, the square of the flow is this times one
+        // without growth, the square of the flow matrix is this number times the unit matrix
         double square = stretch * stretch + shear * shear - motion.omega * motion.omega;
         double root = StrictMath.sqrt(Math.abs(square));
         double even = square < 0 ? StrictMath.cos(root * seconds) : StrictMath.cosh(root * seconds);
@@ -37,12 +39,12 @@ public final class Gradient {
         yy = scale * (even - odd * stretch);
     }
 
-    /** Column of what lies so many px from the centre. */
+    /** X component, in px, of the matrix times an offset from the centre. */
     public double x(double rx, double ry) {
         return xx * rx + xy * ry;
     }
 
-    /** The same, the row. */
+    /** Y component, likewise. */
     public double y(double rx, double ry) {
         return yx * rx + yy * ry;
     }

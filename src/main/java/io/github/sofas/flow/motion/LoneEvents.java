@@ -4,29 +4,29 @@ import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
- * Tells events that are alone: none of the eight pixels around fired in the time in which even the slowest structure
- * that is thought of crosses a pixel. They belong to no such structure. Ours, because projecting noise n² times is most
- * of the work where little moves.
+ * Recognises events that are alone: none of the eight pixels around has fired within the time in which even the slowest
+ * structure considered crosses one pixel. They belong to no such structure. Ours, because where little moves, most of
+ * the work is to project noise n² times.
  */
 public final class LoneEvents {
     private static final int TICK_BITS = 10;
-    /** Twelve days; then all is forgotten, and ticks begin at 0 again. */
+    /** Twelve days. After that, all events are forgotten and ticks restart at 0. */
     private static final long LAST_TICK = 1 << 30;
     private static final int NEVER = Integer.MIN_VALUE / 2;
 
     private final int columns;
-    /** When each pixel fired last, with a border of one pixel; in ticks of 1,024 µs since a first event. */
+    /** Time at which each pixel last fired, in ticks of 1,024 µs since the first event; with a border of one pixel. */
     private final int[] lastTick;
     private final int companyTicks;
     private long firstUs;
     private boolean started;
 
-    /** Bytes of its array. */
+    /** Bytes that the array takes. */
     public static long bytes(SensorSize sensor) {
         return Integer.BYTES * (sensor.width() + 2L) * (sensor.height() + 2L);
     }
 
-    /** Makes it for a sensor of so many px. */
+    /** Makes an instance for a sensor of so many px and the speed of the slowest structure considered. */
     public LoneEvents(int sensorWidth, int sensorHeight, double slowestPxPerS) {
         columns = sensorWidth + 2;
         lastTick = new int[columns * (sensorHeight + 2)];
@@ -34,7 +34,7 @@ public final class LoneEvents {
         reset();
     }
 
-    /** Whether the event is alone; it is company for those that follow. */
+    /** Whether the event is alone. It is noted, so that events around it that follow soon are not. */
     public boolean isAlone(int x, int y, long timeUs) {
         if (!started || (timeUs - firstUs) >> TICK_BITS > LAST_TICK) {
             reset();

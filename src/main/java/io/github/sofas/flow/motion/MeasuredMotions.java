@@ -1,14 +1,14 @@
 package io.github.sofas.flow.motion;
 
-/** Gets each motion of a segment that is measured. */
+/** Receives each motion that is measured of a segment. */
 @FunctionalInterface
 public interface MeasuredMotions {
     /**
-     * Takes a measurement.
+     * Receives a measurement.
      *
      * @param segment id of the segment
-     * @param motion with the middle of the window that it was measured over as its reference; the caller goes on to
-     *     change it
+     * @param motion the measured motion, whose reference is the middle of the window it was measured over; the caller
+     *     continues to change this object
      */
     void measured(int segment, Motion motion);
 }

@@ -2,15 +2,17 @@ package io.github.sofas.flow.motion;
 
 /**
  * How a structure moves on the sensor: velocity, acceleration, rotation, growth and deformation about a centre that
- * moves along. Ours beyond the paper's velocity: section Conclusion names acceleration and rotation as where it fails.
+ * moves along with the structure. Ours beyond the velocity of the paper, whose section Conclusion names acceleration
+ * and rotation as fail cases.
  *
- * <p>A point at r from the centre has the velocity v + omega x r + growth r, and what the {@link Deformation} adds. But
- * for that, seen from a reference time t0, with dt = t - t0, an event at u of time t was or will be at
+ * <p>A point at r from the centre c has the velocity v + omega x r + growth r, plus the velocity that the
+ * {@link Deformation} adds. Let t0 be the reference time and dt = t - t0. Without deformation, the edge that fires an
+ * event at u and time t is, at t0, at
  * exp(-growth dt - growthChange dt²/2) R(-omega dt - alpha dt²/2) (u - c - v dt - a dt²/2) + c
  * ({@link SteppedProjection}).
  */
 public final class Motion {
-    /** t0 in µs. */
+    /** Reference time t0 in µs. */
     public long referenceUs;
     /** Velocity of the centre at t0 in px/s. */
     public double vx;
@@ -19,28 +21,31 @@ public final class Motion {
     public double ax;
     public double ay;
     /**
-     * What the acceleration changes by as the reference moves, in px/s³; what is projected, about the reference, has
-     * that of the reference.
+     * Rate at which the acceleration changes as the reference moves, in px/s³. Projections do not use the jerk: they
+     * take the acceleration at the reference.
      */
     public double jerkX;
     public double jerkY;
     /** Rotation at t0 in rad/s; positive turns x towards y, clockwise as seen. */
     public double omega;
-    /** Change of the rotation in rad/s². */
+    /** Rate at which the rotation changes, in rad/s². */
     public double alpha;
-    /** What that changes by as the reference moves, in rad/s³, as the jerk. */
+    /** Rate at which alpha changes as the reference moves, in rad/s³; projections use neither this nor the jerk. */
     public double alphaChange;
-    /** Growth in 1/s, half the divergence of the flow; of what comes nearer 1/growth is the time to contact. */
+    /**
+     * Growth at t0 in 1/s, half the divergence of the flow. For an approaching object, 1/growth is the time to
+     * contact.
+     */
     public double growth;
-    /** Change of the growth in 1/s². */
+    /** Rate at which the growth changes, in 1/s². */
     public double growthChange;
-    /** How its flow departs from that, as the flow of what is seen at a slant; it does not change. */
+    /** How the flow departs from all of these, as that of a plane seen at a slant does; constant over time. */
     public final Deformation deformation = new Deformation();
     /** Centre of rotation, growth and deformation at t0 in px. */
     public double centreX;
     public double centreY;
 
-    /** Begins with a steady velocity. */
+    /** Starts anew with a steady velocity; the centre stays where it was. */
     public void set(long timeUs, double newVx, double newVy) {
         referenceUs = timeUs;
         vx = newVx;
@@ -51,7 +56,7 @@ public final class Motion {
         hold();
     }
 
-    /** Goes on as it is at the reference: neither velocity, nor rotation, nor growth changes. */
+    /** Makes the motion steady as it is at the reference: neither velocity, nor rotation, nor growth changes. */
     public void hold() {
         ax = 0;
         ay = 0;
@@ -62,7 +67,7 @@ public final class Motion {
         growthChange = 0;
     }
 
-    /** Becomes the same as another. */
+    /** Copies another motion. */
     public void copyFrom(Motion other) {
         referenceUs = other.referenceUs;
         vx = other.vx;
@@ -81,7 +86,7 @@ public final class Motion {
         centreY = other.centreY;
     }
 
-    /** Moves the reference in time; the motion stays the same. */
+    /** Moves the reference to another time; the motion stays the same. */
     public void moveReference(long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
         centreX += (vx + (0.5 * ax + jerkX * dt / 6) * dt) * dt;
@@ -97,8 +102,8 @@ public final class Motion {
     }
 
     /**
-     * Moves the centre; the motion of every point stays the same, but for what it is drawn towards the centre by the
-     * square of the rotation and of the growth: where the centre is a pixel off, that is noise.
+     * Moves the centre. The motion of every point stays the same, except for the radial acceleration that comes with
+     * the square of the rotation and of the growth. Where the centre is a pixel off, that is noise.
      */
     public void moveCentre(double newX, double newY) {
         double rx = newX - centreX;
@@ -114,13 +119,13 @@ public final class Motion {
         centreY = newY;
     }
 
-    /** Moves the reference, and then the centre, to those of another motion. */
+    /** Moves first the reference, then the centre, to those of another motion. */
     public void follow(Motion other) {
         moveReference(other.referenceUs);
         moveCentre(other.centreX, other.centreY);
     }
 
-    /** Velocity to the right of a point of the sensor at a time, in px/s. */
+    /** Velocity to the right, in px/s, of the structure at a point of the sensor and a time. */
     public float vxAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
         double rx = x - centreX - vx * dt;
@@ -129,7 +134,7 @@ public final class Motion {
             + deformation.vx(rx, ry));
     }
 
-    /** The same, downwards. */
+    /** Velocity downwards, likewise. */
     public float vyAt(int x, int y, long timeUs) {
         double dt = (timeUs - referenceUs) * 1e-6;
         double rx = x - centreX - vx * dt;
@@ -138,7 +143,7 @@ public final class Motion {
             + deformation.vy(rx, ry));
     }
 
-    /** Whether the velocity of a point changes by more than half of its speed while it travels so many px. */
+    /** Whether acceleration changes the velocity of a point by more than half of its speed in so many px of travel. */
     public boolean bendsWithin(double px, int x, int y, long timeUs) {
         double pointVx = vxAt(x, y, timeUs);
         double pointVy = vyAt(x, y, timeUs);
@@ -146,10 +151,10 @@ public final class Motion {
     }
 
     /**
-     * A speed in px/s that a point is no faster than from one time until another, in which it travels, turns and grows
-     * by less than its distance from the centre.
+     * Upper bound, in px/s, of the speed of a point between two times. It holds as long as travel, rotation and growth
+     * move the point by less than its distance from the centre.
      *
-     * @param x where the point is at the first time, in px of the sensor
+     * @param x column of the point at the first time, in px of the sensor
      */
     public double mostSpeed(double x, double y, long fromUs, long untilUs) {
         double dt = (fromUs - referenceUs) * 1e-6;
@@ -163,8 +168,8 @@ public final class Motion {
     }
 
     /**
-     * Speed in px/s, root of the mean square over points whose distance from the centre has that of radius, but for
-     * what perspective adds.
+     * Root-mean-square speed, in px/s, of points whose root-mean-square distance from the centre is the radius; without
+     * perspective.
      */
     public double speed(double radius) {
         return Math.sqrt(vx * vx + vy * vy
@@ -172,9 +177,9 @@ public final class Motion {
     }
 
     /**
-     * Speed in px/s at which what moves like this leaves what moves like another motion of the same time, root of the
-     * mean square over points whose distance from the centre of this one has that of radius; but for deformation, which
-     * no contour follows.
+     * Speed, in px/s, at which a structure with this motion departs from one with another motion of the same reference
+     * time. It is the root mean square over points whose root-mean-square distance from the centre of this motion is
+     * the radius. Deformation is left out, because no contour follows it.
      */
     public double speedFrom(Motion other, double radius) {
         double rx = centreX - other.centreX;

@@ -3,17 +3,17 @@ package io.github.sofas.flow.motion;
 import io.github.sofas.event.SensorSize;
 
 /**
- * How often a pixel gives noise: events that nothing explains and that are alone, as those of a structure that is not
- * tracked yet seldom are.
+ * Estimates the rate of noise per pixel. Events count as noise that nothing explains and that are alone: events of a
+ * structure that is not tracked yet seldom are.
  */
 public final class NoiseRate {
-    /** Time of which it is a mean, fading: noise changes with the light. */
+    /** Time constant of the fading mean of the rate: noise changes with the light. */
     private static final double MEAN_US = 300_000;
-    /** An event is alone that has none around it within this time. */
+    /** An event is alone if no pixel around it has fired within this time. */
     private static final double ALONE_US = 10_000;
-    /** Pixels around it, each with both polarities. */
+    /** Pixels around an event, each with both polarities. */
     private static final int AROUND = 2 * 8;
-    /** Share that is alone at least, for the rest to be told from it: noise hides noise. */
+    /** Least share of noise that is taken to be alone when the rate of all noise is inferred: noise hides noise. */
     private static final double LEAST_ALONE = 0.2;
 
     private final double pixels;
@@ -24,14 +24,14 @@ public final class NoiseRate {
     private double alonePerUs;
     private double perUs;
 
-    /** Makes one that knows of no events yet. */
+    /** Makes an estimate that has seen no events yet. */
     public NoiseRate(SensorSize sensor) {
-        // ON and OFF apart
+        // ON and OFF count separately
         pixels = 2.0 * sensor.width() * sensor.height();
         unexplained = new LoneEvents(sensor.width(), sensor.height(), 1e6 / ALONE_US);
     }
 
-    /** Bytes of its array. */
+    /** Bytes that the array takes. */
     public static long bytes(SensorSize sensor) {
         return LoneEvents.bytes(sensor);
     }
@@ -43,7 +43,7 @@ public final class NoiseRate {
         }
     }
 
-    /** Goes on to a time. */
+    /** Updates the rate with the events noted until a time. */
     public void goOn(long nowUs) {
         double us = nowUs - sinceUs;
         if (started && us > 0) {
@@ -55,7 +55,7 @@ public final class NoiseRate {
         alone = 0;
     }
 
-    /** How many noise events a pixel gives of either polarity, per µs. */
+    /** Noise events per pixel and per µs, of each polarity. */
     public double perUs() {
         return perUs;
     }

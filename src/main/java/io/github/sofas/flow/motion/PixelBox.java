@@ -1,24 +1,24 @@
 package io.github.sofas.flow.motion;
 
-/** The box around some events on the sensor, with its sides on the outermost ones, and how many they are. */
+/** The bounding box of some events on the sensor, with its sides on the outermost events, and their number. */
 public final class PixelBox {
-    /** Column of the event farthest to the left. */
+    /** Column of the leftmost event. */
     public int left;
-    /** Row of the highest one. */
+    /** Row of the topmost event. */
     public int top;
-    /** Column of the one farthest to the right. */
+    /** Column of the rightmost event. */
     public int right;
-    /** Row of the lowest one. */
+    /** Row of the bottommost event. */
     public int bottom;
-    /** How many events there are. */
+    /** Number of events. */
     public int events;
 
-    /** Makes it around no event. */
+    /** Makes a box around no event. */
     public PixelBox() {
         clear();
     }
 
-    /** Begins around no event: no column is from its left to its right side then, and no row from its top down. */
+    /** Empties the box: no column then lies between its left and right side, and no row between its top and bottom. */
     public void clear() {
         left = Integer.MAX_VALUE;
         top = Integer.MAX_VALUE;
@@ -36,7 +36,7 @@ public final class PixelBox {
         events++;
     }
 
-    /** Adds the events of another one. */
+    /** Adds the events of another box. */
     public void add(PixelBox other) {
         int all = events + other.events;
         add(other.left, other.top);
@@ -44,7 +44,7 @@ public final class PixelBox {
         events = all;
     }
 
-    /** About the root of the mean square distance of its events from their middle. */
+    /** Approximate root-mean-square distance of the events from their middle, in px. */
     public double radius() {
         return Math.hypot(right - left, bottom - top) / 4;
     }

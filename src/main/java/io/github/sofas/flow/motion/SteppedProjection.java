@@ -1,9 +1,12 @@
 package io.github.sofas.flow.motion;
 
 /**
- * Projects events along a motion, step by step: in the time in which the motion goes on by a small part of a pixel all
- * events are turned, scaled and shifted alike, as in the middle of that time. What a turning, accelerating motion costs
- * is spent once per step and not once per event. Ours, because events come in order of time.
+ * Projects events along a motion in steps of time. Within a step, the motion proceeds by a small part of a pixel, and
+ * all events are turned, scaled and shifted alike, as in the middle of the step. A motion with rotation and
+ * acceleration thus costs its arithmetic once per step instead of once per event. Ours, because events come in order of
+ * time.
+ *
+ * <p>The deformation of the motion is left out.
  */
 public final class SteppedProjection {
     private final Motion motion = new Motion();
@@ -18,9 +21,9 @@ public final class SteppedProjection {
     /**
      * Begins with a motion.
      *
-     * @param spanUs greatest time between an event and the motion's reference
-     * @param radius greatest distance of an event from the centre of the motion in px
-     * @param stepPx part of a pixel that a step may take
+     * @param spanUs greatest time, in µs, between an event and the reference of the motion
+     * @param radius greatest distance, in px, of an event from the centre of the motion
+     * @param stepPx travel, in px, that one step may span
      */
     public void begin(Motion along, long spanUs, double radius, double stepPx) {
         motion.copyFrom(along);
@@ -34,7 +37,7 @@ public final class SteppedProjection {
         untilUs = -1;
     }
 
-    /** Goes on to the time of the next event; returns whether that takes another step. */
+    /** Advances to the time of the next event; returns whether that took another step. */
     public boolean advance(long timeUs) {
         if (timeUs <= untilUs && timeUs >= fromUs) {
             return false;
@@ -45,7 +48,7 @@ public final class SteppedProjection {
         return true;
     }
 
-    /** Goes to a time exactly, for what happens once and must not drift by half a step. */
+    /** Goes to an exact time, for a single projection that must not be off by half a step. */
     public void goTo(long timeUs) {
         fromUs = timeUs;
         untilUs = timeUs;
@@ -55,7 +58,7 @@ public final class SteppedProjection {
     private void step(double dt) {
         double turn = (motion.omega + 0.5 * motion.alpha * dt) * dt;
         double grown = (motion.growth + 0.5 * motion.growthChange * dt) * dt;
-        // sine, cosine and the exponential to a few parts in 10,000 of half a turn, and of a growth by a half
+        // sine, cosine and the exponential to a few parts in 10,000 of half a radian, and of a growth by a half
         double square = turn * turn;
         double scale = 1 - grown * (1 - grown * (0.5 - grown * (1.0 / 6 - grown / 24)));
         sin = scale * turn * (1 - square / 6 * (1 - square / 20));
@@ -66,42 +69,42 @@ public final class SteppedProjection {
         shiftY = motion.centreY - cos * centreY + sin * centreX;
     }
 
-    /** Column at the motion's reference of an event of this time, in px. */
+    /** Column, in px, of an event of this step, projected to the reference time of the motion. */
     public double x(int eventX, int eventY) {
         return cos * eventX + sin * eventY + shiftX;
     }
 
-    /** The same, the row. */
+    /** Row of the projected event, likewise. */
     public double y(int eventX, int eventY) {
         return cos * eventY - sin * eventX + shiftY;
     }
 
-    /** Column that an event of this time has whose place at the motion's reference is (x, y), in px. */
+    /** Inverse projection: column, in px, of an event of this step that is projected to (x, y). */
     public double backX(double x, double y) {
         return (cos * (x - shiftX) - sin * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
-    /** The same, the row. */
+    /** Inverse projection: row of that event, in px. */
     public double backY(double x, double y) {
         return (sin * (x - shiftX) + cos * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
-    /** Cosine of the angle that this step turns by, times what it scales by. */
+    /** Cosine of the angle by which this step turns, times the factor by which it scales. */
     public double cos() {
         return cos;
     }
 
-    /** The same, the sine. */
+    /** Sine of that angle, times the same factor. */
     public double sin() {
         return sin;
     }
 
-    /** Way that this step shifts the origin to the right, in px. */
+    /** Shift of the origin to the right by this step, in px. */
     public double shiftX() {
         return shiftX;
     }
 
-    /** The same, downwards. */
+    /** Shift of the origin downwards, likewise. */
     public double shiftY() {
         return shiftY;
     }

@@ -3,15 +3,15 @@ package io.github.sofas.flow.paper;
 import java.util.Arrays;
 
 /**
- * The accumulators of a track plane's 3 x 3 projections: how many live events fall on each cell (section Track Plane).
- * The occupied cells of the central one are the contour.
+ * The accumulators of the 3 x 3 projections of a track plane: the number of live events on each cell (paper, section
+ * Track Plane). The occupied cells of the central projection are the contour.
  */
 final class Accumulators {
     private static final int SIDE = LiveEvents.SIDE;
 
-    /** Live events per cell, one array for each projection; of a cell, columns are the low bits. */
+    /** Live events per cell, one array for each projection. The low bits of a cell's index are its column. */
     private final short[][] f;
-    /** Occupied cells of each projection. */
+    /** Number of occupied cells of each projection. */
     private final int[] cells = new int[SIDE * SIDE];
     private final int shift;
 
@@ -20,17 +20,17 @@ final class Accumulators {
         f = new short[SIDE * SIDE][cells];
     }
 
-    /** The most bytes that they take. */
+    /** Upper bound of the bytes that the accumulators take. */
     static long bytes(long cells) {
         return cells * SIDE * SIDE * Short.BYTES;
     }
 
-    /** Occupied cells of each projection, row by row; read only. */
+    /** Number of occupied cells of each projection, row by row; read only. */
     int[] cells() {
         return cells;
     }
 
-    /** Cell of an event in the k-th projection. */
+    /** Cell on which an event falls in the k-th projection. */
     int cell(int k, LiveEvents live, int event) {
         return live.row[k / SIDE][event] << shift | live.column[k % SIDE][event];
     }
@@ -45,7 +45,7 @@ final class Accumulators {
         }
     }
 
-    /** Takes an event out of all projections. */
+    /** Removes an event from all projections. */
     void remove(LiveEvents live, int event) {
         for (int k = 0; k < f.length; k++) {
             if (--f[k][cell(k, live, event)] == 0) {
@@ -54,7 +54,7 @@ final class Accumulators {
         }
     }
 
-    /** Puts the live events on empty accumulators. */
+    /** Adds all live events to accumulators that are empty. */
     void fill(LiveEvents live) {
         for (int k = 0; k < f.length; k++) {
             cells[k] = fill(f[k], live.column[k % SIDE], live.row[k / SIDE], live.tail, live.head);
@@ -72,7 +72,7 @@ final class Accumulators {
         return occupied;
     }
 
-    /** Empties them of the live events. */
+    /** Empties the accumulators: clears the cells of the live events. */
     void clear(LiveEvents live) {
         for (int k = 0; k < f.length; k++) {
             clear(f[k], live.column[k % SIDE], live.row[k / SIDE], live.tail, live.head);

@@ -4,23 +4,23 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Projection;
 
 /**
- * The paper's flow plane: n x n projections, evenly spaced in angle, each with an accumulator of signed votes and its
- * metric; a structure is found when the greatest metric has stayed with one projection for p events (section Flow
- * Plane).
+ * The flow plane of the paper, which finds new structures (section Flow Plane). It has n x n projections, evenly spaced
+ * in angle, each with an accumulator of signed votes and a metric. A structure is found when the greatest metric has
+ * stayed with one projection for p events. Events that belong to no structure leave after a lifespan.
  */
 public final class FlowPlane {
     /**
-     * Longest side of an accumulator. Parameters that let live events travel farther than that fold the plane: cells
-     * that far apart then count as one, which costs a little noise, where memory would grow without bounds.
+     * Longest side of an accumulator. Parameters that allow live events to travel farther fold the plane: cells that
+     * far apart then count as one. That costs a little noise, but otherwise memory would grow without bounds.
      */
     static final int LONGEST_SIDE = 4096;
-    /** Most events that wait for a structure, so that no cell overflows; where there are more, the oldest go early. */
+    /** Greatest number of events held, so that no cell overflows; beyond it, the oldest events leave early. */
     static final int MOST_EVENTS = Short.MAX_VALUE;
 
     private Numbers p;
     private final int n;
     private final Votes votes;
-    /** Which of the votes that wait are an event's first, after each of which the greatest metric counts. */
+    /** Indices of the waiting votes by which events arrive; after each of these, the greatest metric is evaluated. */
     private final int[] arrival = new int[Votes.BLOCK];
     private int arrivals;
     private Refinement refinement;
@@ -43,7 +43,7 @@ public final class FlowPlane {
         refinement = new Refinement(p);
     }
 
-    /** The most bytes that its arrays take, and those of what refines its structures. */
+    /** Upper bound of the bytes that the arrays of the plane and of its {@link Refinement} take. */
     public static long mostBytes(SensorSize sensor, Numbers p) {
         long columns = 0;
         long rows = 0;
@@ -55,23 +55,23 @@ public final class FlowPlane {
         double farthest = Angles.velocity(Angles.STEEPEST_DEG, p) * p.lifespanUs() * 1e-6;
         long refined = (long) (Math.min(LONGEST_SIDE, sensor.width() + farthest + 1) + 2)
             * (long) (Math.min(LONGEST_SIDE, sensor.height() + farthest + 1) + 2);
-        // arrays of events: a doubling beyond what fills half of them
+        // arrays of events: they double only while more than half full
         return columns * rows * Short.BYTES + refined * (2 * Integer.BYTES + 1)
             + 2L * (MOST_EVENTS + 1) * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES)
             + 2L * p.flowProjections() * Votes.BLOCK * Integer.BYTES;
     }
 
-    /** Velocity of the i-th projection along an axis. */
+    /** Velocity of the i-th projection along an axis, in fixed-point px/µs. */
     static int velocity(int i, Numbers p) {
         return Projection.fixed(Angles.velocity(Angles.at(i, p.flowProjections(), p.rangeDeg()), p));
     }
 
-    /** Side of a torus that no two live events of different cells share a cell of. */
+    /** Side of a torus on which live events share a cell only if they fall on the same cell of the plane. */
     static int side(int sensorSide, int velocity, Numbers p) {
         return side(sensorSide + 2 + Math.abs(Projection.travelled(velocity, p.lifespanUs())));
     }
 
-    /** Side of a torus that is to hold at least so many cells: a power of two, and at most {@value #LONGEST_SIDE}. */
+    /** Side of a torus of at least so many cells: a power of two, and at most {@value #LONGEST_SIDE}. */
     static int side(double least) {
         int side = 2;
         while (side < least && side < LONGEST_SIDE) {
@@ -81,10 +81,10 @@ public final class FlowPlane {
     }
 
     /**
-     * Adds an event to all projections, where it may wait for others until it can make a difference.
+     * Adds an event to all projections. Its vote may wait for those of later events until it can make a difference.
      *
-     * @return whether a structure was found, whose projection has stayed the greatest for p events; it is to be read
-     *     from {@link #structure} and then taken out by {@link #release}
+     * @return whether a structure was found, after one projection has had the greatest metric for p events; the caller
+     *     reads the structure from {@link #structure} and then removes it by {@link #release}
      */
     public boolean add(int eventX, int eventY, long timeUs, int polarity) {
         if (head == tail) {
@@ -106,7 +106,7 @@ public final class FlowPlane {
         vote(head, polarity);
         arrival[arrivals++] = votes.waiting() - 1;
         head++;
-        // a projection must stay the greatest for so many events more: earlier, nothing can be found
+        // a projection must stay the greatest for that many more events: before, nothing can be found
         if (arrivals < p.constantEvents() - constantFor) {
             return false;
         }
@@ -120,7 +120,7 @@ public final class FlowPlane {
         return refinement.size() >= p.minEvents();
     }
 
-    /** Looks on with other parameters that leave the projections and the lifespan as they are. */
+    /** Continues with other parameters, which must leave the projections and the lifespan as they are. */
     public void setParameters(Numbers next) {
         settle();
         p = next;
@@ -169,7 +169,7 @@ public final class FlowPlane {
         votes.add(x[i], y[i], time[i] - referenceUs, w);
     }
 
-    /** Gives the votes that wait, and follows the greatest metric through the events that they belong to. */
+    /** Casts the waiting votes, and follows the greatest metric from event to event. */
     private void settle() {
         votes.settle();
         for (int a = 0; a < arrivals; a++) {
@@ -180,7 +180,7 @@ public final class FlowPlane {
         arrivals = 0;
     }
 
-    /** Takes the structure's events out, and projects the rest into the emptied plane. */
+    /** Removes the events of the structure, and projects the remaining events into the emptied plane. */
     public void release() {
         for (int i = tail; i < head; i++) {
             vote(i, -sign[i]);
@@ -208,7 +208,7 @@ public final class FlowPlane {
         best = -1;
     }
 
-    /** How many events wait for a structure. */
+    /** Number of events that belong to no structure yet. */
     int size() {
         return head - tail;
     }
@@ -219,7 +219,7 @@ public final class FlowPlane {
         return votes.metric(j * n + i);
     }
 
-    /** Metric an event of each projection, to be shown; 0 where none waits. */
+    /** Metric per event of each projection, for display; 0 while the plane is empty. */
     public float[] metricsPerEvent() {
         settle();
         float[] perEvent = new float[n * n];

@@ -2,13 +2,16 @@ package io.github.sofas.flow.paper;
 
 import java.util.Arrays;
 
-/** Which of the 3 x 3 projections the events hit most: the centre to be (section Track Plane). */
+/**
+ * Counts how many events hit the occupied cells of each of the 3 x 3 projections of a track plane, and finds the best
+ * projection, which becomes the new centre (paper, section Track Plane).
+ */
 final class Hits {
     private static final int SIDE = LiveEvents.SIDE;
     private static final int CENTRE = SIDE * SIDE / 2;
 
     private final int[] hits = new int[SIDE * SIDE];
-    /** Where the best projection lies from the centre, in distances of projections. */
+    /** Offset of the best projection from the centre, in units of the distance between neighbouring projections. */
     private double bestX;
     private double bestY;
 
@@ -17,9 +20,9 @@ final class Hits {
     }
 
     /**
-     * Whether a projection's hits pass a share of its cells. Of several that pass at one event the one with the
-     * greatest share is best; of equal ones the centre, else their mean: taking the first would lean all velocities
-     * one way.
+     * Whether the hits of any projection pass a share of its occupied cells. If several pass at one event, the one with
+     * the greatest share is best. Of equal ones the centre is best, or else their mean: to take the first would bias
+     * all velocities in one direction.
      */
     boolean haveABest(double share, int[] cells) {
         int best = -1;

@@ -3,27 +3,27 @@ package io.github.sofas.flow.paper;
 import io.github.sofas.flow.motion.Projection;
 
 /**
- * The live events of a track plane in order of time, and where each falls in the columns and in the rows of its 3 x 3
- * projections: nine projections need three shifts along each axis only.
+ * The live events of a track plane in order of time, and the cell on which each falls in every column and every row of
+ * the 3 x 3 projections. Nine projections need only three shifts along each axis.
  */
 final class LiveEvents {
     static final int SIDE = 3;
-    /** The most, so that no cell overflows; where there are more, the oldest go early. */
+    /** Greatest number of live events, so that no cell overflows; beyond it, the oldest leave early. */
     static final int MOST = Short.MAX_VALUE;
-    /** Length of arrays that is always enough: full at most half, they are moved to the front seldom. */
+    /** Array length that always suffices: at most half full, so that events are seldom moved to the front. */
     private static final int LONGEST = 2 * (MOST + 1);
 
     long[] timeUs = new long[256];
     short[] x = new short[256];
     short[] y = new short[256];
-    /** Where each falls in the columns and in the rows of projections. */
+    /** Cell column of each event in each column of projections, and its cell row in each row of projections. */
     final short[][] column = new short[SIDE][256];
     final short[][] row = new short[SIDE][256];
-    /** Number of the oldest, and number after the newest. */
+    /** Index of the oldest live event, and index after the newest. */
     int tail;
     int head;
 
-    /** The most bytes that its arrays take. */
+    /** Upper bound of the bytes that the arrays take. */
     static long mostBytes() {
         return (long) LONGEST * (Long.BYTES + (2 + 2 * SIDE) * Short.BYTES);
     }
@@ -36,12 +36,12 @@ final class LiveEvents {
         return head == tail;
     }
 
-    /** Time of the newest. */
+    /** Time of the newest event. */
     long newestUs() {
         return timeUs[head - 1];
     }
 
-    /** Puts an event behind the live ones; it is one of them once {@link #head} has passed it. */
+    /** Stores an event after the live ones; it becomes live once {@link #head} has passed it. */
     void put(int eventX, int eventY, long eventUs) {
         if (head == timeUs.length) {
             moveToFront(head - tail > timeUs.length / 2 ? Math.min(2 * timeUs.length, LONGEST) : timeUs.length);
@@ -51,7 +51,7 @@ final class LiveEvents {
         y[head] = (short) eventY;
     }
 
-    /** Moves the live events to the front of arrays of some length. */
+    /** Moves the live events to the front of arrays of a given length. */
     private void moveToFront(int length) {
         long[] newTime = length == timeUs.length ? timeUs : new long[length];
         System.arraycopy(timeUs, tail, newTime, 0, head - tail);
@@ -72,7 +72,7 @@ final class LiveEvents {
         return to;
     }
 
-    /** Finds where events [from, to) fall in the a-th column and row of projections, seen from a time. */
+    /** Projects events [from, to) into the a-th column and the a-th row of projections, with a reference time. */
     void project(int a, int fixedVx, int fixedVy, int maskX, int maskY, long referenceUs, int from, int to) {
         project(x, fixedVx, maskX, column[a], referenceUs, from, to);
         project(y, fixedVy, maskY, row[a], referenceUs, from, to);
@@ -85,7 +85,7 @@ final class LiveEvents {
         }
     }
 
-    /** Takes over the events of another track plane; all are to be projected anew. */
+    /** Takes over the events of another track plane. The caller must then project all events anew. */
     void merge(LiveEvents other) {
         int mine = size();
         int theirs = other.size();

@@ -3,13 +3,14 @@ package io.github.sofas.flow.paper;
 import java.util.Arrays;
 
 /**
- * Cells that events which missed the contour have raised; past a threshold a cell is contour (section Track Plane).
+ * Cells raised by events that missed the contour. Past a threshold, a cell becomes contour (paper, section Track
+ * Plane).
  *
- * <p>Raised cells have no lifetime, so that a later one may fold to the same place of the torus. Time and velocity only
- * lead on: the earlier one is then off the sensor for good, and the later one starts anew.
+ * <p>Raised cells have no lifetime, so that a later cell may fold to the same place of the torus. Time only advances,
+ * and the velocity stays the same: by then, the earlier cell is off the sensor for good, and the later one starts anew.
  */
 final class RaisedCells {
-    /** How often each cell was raised, and which of the cells that fold to it. */
+    /** Number of times each cell was raised, and which of the cells that fold to this place it is. */
     private final short[] raised;
     private final int[] fold;
     private int[] list = new int[64];
@@ -20,12 +21,12 @@ final class RaisedCells {
         fold = new int[cells];
     }
 
-    /** The most bytes that its arrays take: the list of a cell each, as long as it may have grown. */
+    /** Upper bound of the bytes that the arrays take, with a list of all cells at the length it may have grown to. */
     static long mostBytes(long cells) {
         return cells * (Short.BYTES + 3 * Integer.BYTES);
     }
 
-    /** Raises a cell; returns whether it is past the threshold. */
+    /** Raises a cell; returns whether the cell is past the threshold. */
     boolean raise(int c, int whichFold, int threshold) {
         if (raised[c] == 0) {
             if (size == list.length) {

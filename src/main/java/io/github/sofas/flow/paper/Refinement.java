@@ -4,11 +4,11 @@ import io.github.sofas.flow.motion.Projection;
 import java.util.Arrays;
 
 /**
- * The flow plane's refining cycles (paper, section Flow Plane): the events associated with a projection are projected
- * again around it, over a range narrower by q, and associated again.
+ * The refining cycles of the flow plane (paper, section Flow Plane). Each cycle takes the events associated with the
+ * best projection, projects them again around it over a range narrower by the factor q, and associates them again.
  *
- * <p>Association: cells whose |f| exceeds mean + w sd over the occupied cells, and all occupied cells connected to them
- * by a side or a corner.
+ * <p>Association selects the events on cells whose |f| exceeds mean + w sd over the occupied cells, and on all occupied
+ * cells connected to these by a side or a corner.
  */
 final class Refinement {
     private final Numbers p;
@@ -20,7 +20,7 @@ final class Refinement {
     private byte[] sign;
     private int from;
     private int size;
-    /** Whether an event still belongs to the structure. */
+    /** Whether each event still belongs to the structure. */
     private boolean[] member = new boolean[0];
     private int[] cell = new int[0];
     private int members;
@@ -40,7 +40,7 @@ final class Refinement {
         n = p.flowProjections();
     }
 
-    /** Looks at events [tail, head) of the arrays, which stay the caller's. */
+    /** Loads events [tail, head) of arrays, which still belong to the caller. */
     void load(long[] timeUs, short[] eventX, short[] eventY, byte[] polarity, int tail, int head) {
         time = timeUs;
         x = eventX;
@@ -90,7 +90,7 @@ final class Refinement {
         }
     }
 
-    /** Projects the members and returns the metric; -1 where they fall too far apart for a plane of bounded size. */
+    /** Projects the members and returns the metric, or -1 if they fall too far apart for a plane of bounded size. */
     private long project(double velocityX, double velocityY) {
         int vx = Projection.fixed(velocityX);
         int vy = Projection.fixed(velocityY);
@@ -112,7 +112,7 @@ final class Refinement {
         if (Math.max(hiX - loX, hiY - loY) >= FlowPlane.LONGEST_SIDE) {
             return -1;
         }
-        // a border of one empty cell around, for the flood fill
+        // with a border of one empty cell around, for the flood fill
         minX = loX - 1;
         minY = loY - 1;
         columns = hiX - loX + 3;
@@ -139,7 +139,7 @@ final class Refinement {
         return metric;
     }
 
-    /** Keeps the members on strong cells and on occupied cells connected to them. */
+    /** Keeps those members that lie on strong cells or on occupied cells connected to these. */
     private void associate() {
         if (project(Angles.velocity(angleX, p), Angles.velocity(angleY, p)) < 0) {
             members = 0;
@@ -192,7 +192,7 @@ final class Refinement {
         }
     }
 
-    /** How many events were looked at. */
+    /** Number of events loaded. */
     int loaded() {
         return size;
     }
@@ -217,7 +217,7 @@ final class Refinement {
         return sign[from + i];
     }
 
-    /** How many events belong to the structure. */
+    /** Number of events that belong to the structure. */
     int size() {
         return members;
     }

@@ -6,12 +6,12 @@ import io.github.sofas.flow.Segment;
 import io.github.sofas.flow.motion.Projection;
 
 /**
- * The paper's track plane (section Track Plane): 3 x 3 projections of the live events, neighbours h degrees apart. The
- * occupied cells of the central one are the contour; an event on it belongs to the plane. The first projection whose
- * hits pass a share of its cells becomes the centre.
+ * The track plane of the paper (section Track Plane), which follows one structure. It has 3 x 3 projections of the live
+ * events, neighbours h degrees apart. The occupied cells of the central projection are the contour; an event on the
+ * contour belongs to the plane. The first projection whose hits pass a share of its cells becomes the centre.
  *
- * <p>Longer than others, because it states the whole life of a track plane as the paper tells it, in order; what it
- * counts with is in {@link Accumulators}, {@link LiveEvents}, {@link Hits} and {@link RaisedCells}.
+ * <p>This class is longer than others, because it states the whole life of a track plane, in the order of the paper.
+ * {@link Accumulators}, {@link LiveEvents}, {@link Hits} and {@link RaisedCells} keep the counts.
  */
 public final class TrackPlane {
     private static final int SIDE = LiveEvents.SIDE;
@@ -25,7 +25,7 @@ public final class TrackPlane {
     private final int shiftY;
     private final Accumulators accumulators;
     private final Hits hits = new Hits();
-    /** Velocities of the columns of projections along x, and of the rows along y. */
+    /** Fixed-point velocity along x of each column of projections, and along y of each row. */
     private final int[] fixedVx = new int[SIDE];
     private final int[] fixedVy = new int[SIDE];
     private final int[] cell = new int[SIDE * SIDE];
@@ -46,7 +46,7 @@ public final class TrackPlane {
     long events;
     float vxPxPerS;
     float vyPxPerS;
-    // box of the live events on the sensor
+    // box of the live events on the sensor, as of the last centring
     int minX;
     int minY;
     int maxX;
@@ -64,22 +64,23 @@ public final class TrackPlane {
         raised = new RaisedCells(sizeX * sizeY);
     }
 
-    /** The most bytes that its arrays take. */
+    /** Upper bound of the bytes that the arrays take. */
     static long mostBytes(SensorSize sensor, Numbers p) {
         long cells = (long) side(sensor.width(), p) * side(sensor.height(), p);
         return Accumulators.bytes(cells) + RaisedCells.mostBytes(cells) + LiveEvents.mostBytes();
     }
 
-    /** Side of a torus that no two live events of different cells share a cell of. */
+    /** Side of a torus on which live events share a cell only if they fall on the same cell of the plane. */
     static int side(int sensorSide, Numbers p) {
         return FlowPlane.side(sensorSide + Math.ceil(farthestTravel(p)));
     }
 
     /**
-     * Longest way, along one axis, that a projection goes during the lifetime, in px. The lifetime follows from the
-     * centre's speed, and a neighbour may be faster by the greatest distance h: at angle a it goes
-     * L tan(a + h) / tan(a), or, below the speed whose lifetime is the longest, T tan(a + h). The first is greatest at
-     * one of its ends, the second where it meets the first.
+     * Longest travel of a projection within the lifetime, along one axis, in px. The lifetime follows from the speed of
+     * the centre, and a neighbour may be steeper by the greatest h. With the centre at angle a, the neighbour travels
+     * L tan(a + h) / tan(a), where L is the travel of a lifetime. Below the speed at which the lifetime reaches its
+     * maximum T, the neighbour travels T tan(a + h) times the velocity scale. The first is greatest at one of its ends,
+     * the second where it meets the first.
      */
     private static double farthestTravel(Numbers p) {
         double longestS = p.maxLifetimeUs() * 1e-6;
@@ -93,12 +94,12 @@ public final class TrackPlane {
         return Angles.velocity(Angles.limited(angleDeg + p.maxPerturbationDeg()), p) * lifetimeS;
     }
 
-    /** Tracks on with other parameters that leave the velocity scale and the accumulators' size as they are. */
+    /** Continues with other parameters, which must leave the velocity scale and the accumulators' size as they are. */
     void setParameters(Numbers next) {
         p = next;
     }
 
-    /** Begins with the events and the velocity of a new structure. */
+    /** Begins to track a new structure, with its events and velocity. */
     void start(int newId, Refinement structure) {
         id = newId;
         events = 0;
@@ -119,7 +120,7 @@ public final class TrackPlane {
     }
 
     /**
-     * Offers an event.
+     * Offers an event, which the plane takes if it falls on the contour.
      *
      * @return whether it belongs to this plane
      */
@@ -160,7 +161,7 @@ public final class TrackPlane {
         }
     }
 
-    /** Raises a cell that was missed; past the threshold it is contour. */
+    /** Raises the cell of an event that missed the contour; returns whether the cell is contour now. */
     private boolean raise(int c, int eventX, int eventY, long timeUs) {
         long dt = timeUs - referenceUs;
         int foldX = eventX - Projection.travelled(fixedVx[MIDDLE], dt) >> shift;
@@ -175,7 +176,7 @@ public final class TrackPlane {
         centre(angleX + hits.bestX() * step, angleY + hits.bestY() * step);
     }
 
-    /** Sets the velocity and projects the live events anew, seen from the newest one's time. */
+    /** Sets the velocity, and projects the live events anew with the time of the newest event as the reference time. */
     private void centre(double newAngleX, double newAngleY) {
         empty();
         angleX = Angles.limited(newAngleX);
@@ -227,8 +228,9 @@ public final class TrackPlane {
     }
 
     /**
-     * Whether the plane got fewer events than expected since the last check: an event for each cell of the contour in
-     * the time that it takes to cross the lifetime's pixels.
+     * Whether the plane got less than the required share of the expected events since the last check, or has no live
+     * events. One event per cell of the contour is expected in each lifetime, the time in which the contour crosses p
+     * pixels.
      */
     boolean isStarved(long nowUs) {
         expire(nowUs);
@@ -244,7 +246,7 @@ public final class TrackPlane {
         return starved;
     }
 
-    /** Whether another plane describes the same structure: similar velocity and touching boxes. */
+    /** Whether another plane describes the same structure: the velocities are similar and the boxes touch. */
     boolean describesSameAs(TrackPlane other) {
         double dvx = vxPxPerS - other.vxPxPerS;
         double dvy = vyPxPerS - other.vyPxPerS;
@@ -265,12 +267,12 @@ public final class TrackPlane {
         }
     }
 
-    /** Id of its segment. */
+    /** Id of the segment. */
     public int id() {
         return id;
     }
 
-    /** Velocity in px/s. */
+    /** Velocity in px/s, positive to the right. */
     public float vxPxPerS() {
         return vxPxPerS;
     }
@@ -280,19 +282,19 @@ public final class TrackPlane {
         return vyPxPerS;
     }
 
-    /** What is known of the structure. */
+    /** Returns what is known of the structure as a segment. */
     Segment segment(Segment.Fate fate, int mergedInto) {
         return new Segment(id, firstUs, lastUs, events, vxPxPerS, vyPxPerS, 0, 0, minX, minY, maxX, maxY,
             fate, mergedInto);
     }
 
-    /** Lets all events go, so that the plane can serve another structure. */
+    /** Forgets all events, so that the plane can serve another structure. */
     void clear() {
         empty();
         live.clear();
     }
 
-    /** Shows the cells of the central projection that live events occupy, carried on to a time. */
+    /** Passes on the pixels of the contour, the occupied cells of the central projection, as they lie at a time. */
     void contour(long nowUs, SensorSize sensor, PixelConsumer pixels) {
         int travelX = Projection.travelled(fixedVx[MIDDLE], nowUs - referenceUs);
         int travelY = Projection.travelled(fixedVy[MIDDLE], nowUs - referenceUs);
@@ -306,7 +308,7 @@ public final class TrackPlane {
         }
     }
 
-    /** Live events. */
+    /** Number of live events. */
     int live() {
         return live.size();
     }
@@ -316,7 +318,7 @@ public final class TrackPlane {
         return h;
     }
 
-    /** Occupied cells of a projection, for tests and pictures. */
+    /** Number of occupied cells of a projection, for tests and pictures. */
     int cells(int i, int j) {
         return accumulators.cells()[j * SIDE + i];
     }

@@ -8,8 +8,9 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * The structures that are tracked, asked in turn: an event goes to the first that it belongs to. Planes that describe
- * one structure are merged, those that get too few events removed (paper, section Algorithm).
+ * The stack of the track planes of all tracked structures (paper, section Algorithm). An event is offered to the planes
+ * in turn, and goes to the first plane that it belongs to. Planes that describe one structure are merged, and planes
+ * that get too few events are removed.
  */
 public final class TrackPlaneStack {
     private static final long CHECK_US = 5_000;
@@ -22,19 +23,19 @@ public final class TrackPlaneStack {
     private int nextId = 1;
     private long nextCheckUs = Long.MIN_VALUE;
 
-    /** Makes an empty stack that reports segments when they end. */
+    /** Makes an empty stack, which reports each segment when it ends. */
     public TrackPlaneStack(SensorSize sensor, Numbers p, Consumer<Segment> ended) {
         this.sensor = sensor;
         this.p = p;
         this.ended = ended;
     }
 
-    /** The most bytes that the track planes' arrays take, all of them. */
+    /** Upper bound of the bytes that the arrays of all track planes take. */
     public static long mostBytes(SensorSize sensor, Numbers p) {
         return p.maxTrackPlanes() * TrackPlane.mostBytes(sensor, p);
     }
 
-    /** Offers an event to the planes in turn; returns the first that it belongs to, or null. */
+    /** Offers an event to the planes in turn; returns the first plane that the event belongs to, or null. */
     public TrackPlane offer(int x, int y, long timeUs) {
         if (timeUs >= nextCheckUs) {
             check(timeUs);
@@ -48,7 +49,7 @@ public final class TrackPlaneStack {
         return null;
     }
 
-    /** Begins to track a new structure, unless there are as many as may be. */
+    /** Begins to track a new structure, unless the greatest number of track planes is reached. */
     public void add(Refinement structure) {
         if (planes.size() < p.maxTrackPlanes()) {
             TrackPlane plane = unused.isEmpty() ? new TrackPlane(sensor.width(), sensor.height(), p)
@@ -58,7 +59,7 @@ public final class TrackPlaneStack {
         }
     }
 
-    /** Merges planes that describe one structure, and removes those that get too few events. */
+    /** Removes planes that get too few events, and merges planes that describe one structure. */
     private void check(long nowUs) {
         nextCheckUs = nowUs + CHECK_US;
         for (int i = planes.size() - 1; i >= 0; i--) {
@@ -89,7 +90,7 @@ public final class TrackPlaneStack {
         }
     }
 
-    /** Tracks on with other parameters, as far as they leave velocity scale and accumulators as they are. */
+    /** Continues with other parameters. All segments end if the velocity scale or the size of accumulators changes. */
     public void setParameters(Numbers next) {
         if (next.velocityScalePxPerS() != p.velocityScalePxPerS()
                 || side(sensor.width(), next) != side(sensor.width(), p)
@@ -119,7 +120,7 @@ public final class TrackPlaneStack {
         return list;
     }
 
-    /** Shows the pixels of a living segment's contour that are on the sensor; none for any other id. */
+    /** Passes on the pixels of a living segment's contour that lie on the sensor; none for any other id. */
     public void contour(int id, long nowUs, PixelConsumer pixels) {
         for (int i = 0; i < planes.size(); i++) {
             if (planes.get(i).id == id) {
@@ -128,7 +129,7 @@ public final class TrackPlaneStack {
         }
     }
 
-    /** Ends all segments, and begins to count them anew. */
+    /** Ends all segments, and numbers new ones from 1 again. */
     public void reset() {
         endAll();
         nextId = 1;

@@ -7,22 +7,24 @@ import java.util.Arrays;
  * The accumulators of the paper's flow plane and their metrics: n x n projections of signed votes, with the greatest
  * metric after every single vote.
  *
- * <p>Votes wait until they are asked for, and are then given projection by projection: the accumulators together are
- * far larger than a core's cache, the part of one that a block touches is not. The n² shifts of an event are n along x
- * and n along y, computed once for all projections. Adding w to a cell raises the metric by 2 w f + w².
+ * <p>Votes wait in a block until their effect is asked for, and are then cast projection by projection. All
+ * accumulators together are far larger than the cache of a core, but the part of one that a block touches is not. The
+ * n² shifts of an event are n along x and n along y, computed once for all projections. Adding w to a cell raises the
+ * metric by 2 w f + w².
  *
- * <p>The greatest metric after each vote is kept as a number that orders as wanted: the metric, and below it the rank
- * of the projection, the slowest having the highest. So that one maximum finds both, in any order of projections.
+ * <p>The greatest metric after each vote is kept in one number: the metric in the high bits, and the rank of the
+ * projection in the low bits. The slowest projection has the highest rank. One maximum, taken over the projections in
+ * any order, thus finds both.
  */
 final class Votes {
-    /** Most votes that wait. */
+    /** Greatest number of waiting votes. */
     static final int BLOCK = 512;
-    /** Bits of a rank. A metric has at most 30: no more than 32,767 votes are held. */
+    /** Bits of a rank. A metric takes at most 30 bits, because no more than 32,767 votes are held. */
     private static final int RANK_BITS = 10;
     private static final int RANK_MASK = (1 << RANK_BITS) - 1;
 
     private final int n;
-    /** Velocity of column i of the projections along x, and of row i along y. */
+    /** Fixed-point velocity of column i of the projections along x, and of row i along y. */
     private final int[] velocity;
     private final int[] maskX;
     private final int[] maskY;
@@ -33,14 +35,14 @@ final class Votes {
     private final int[] rank;
     private final int[] byRank;
 
-    // votes that wait: where they fall in each column and each row of the projections, and their weight
+    // waiting votes: their cell column and row in each column and row of the projections, and their weight
     private final int[][] column;
     private final int[][] row;
     private final int[] weight = new int[BLOCK];
     private int size;
-    /** Of each vote settled last, the greatest metric after it, with its rank. */
+    /** Greatest metric, with its rank, after each vote of the block settled last. */
     private final long[] greatest = new long[BLOCK];
-    /** What was read ahead; kept, or the compiler would leave the reading out. */
+    /** Sum of what was read ahead. It is kept because the compiler would otherwise remove the reads. */
     private int fetched;
 
     Votes(int width, int height, Numbers p) {
@@ -69,7 +71,7 @@ final class Votes {
         row = new int[n][BLOCK];
     }
 
-    /** Projections from the fastest to the slowest; of equal ones the later first. */
+    /** Projections from the fastest to the slowest; of equally fast ones, the later comes first. */
     private int[] fastestFirst() {
         Integer[] order = new Integer[n * n];
         for (int k = 0; k < order.length; k++) {
@@ -87,7 +89,7 @@ final class Votes {
         return (long) velocity[k % n] * velocity[k % n] + (long) velocity[k / n] * velocity[k / n];
     }
 
-    /** Adds a vote w, which waits; there must be room. */
+    /** Adds a vote of weight w to those that wait; there must be room. */
     void add(int x, int y, long sinceReferenceUs, int w) {
         int at = size++;
         weight[at] = w;
@@ -98,12 +100,12 @@ final class Votes {
         }
     }
 
-    /** How many votes wait. */
+    /** Number of waiting votes. */
     int waiting() {
         return size;
     }
 
-    /** Gives the votes that wait to all projections. */
+    /** Casts the waiting votes in all projections. */
     void settle() {
         Arrays.fill(greatest, 0, size, 0);
         for (int k = 0; k < metric.length; k++) {
@@ -114,8 +116,8 @@ final class Votes {
     }
 
     /**
-     * Reads the cells that a block is to change, so that they are in the cache: memory delivers many at once to reads
-     * that wait for nothing, where votes come at the pace of one after the other. All in all a third faster.
+     * Reads the cells that a block is about to change, so that they are in the cache. Memory serves many independent
+     * reads at once, whereas votes follow one after the other. All in all, this is a third faster.
      */
     private int fetch(short[] f, int[] columns, int[] rows, int rowShift) {
         int sum = 0;
@@ -135,19 +137,19 @@ final class Votes {
             int before = f[c];
             f[c] = (short) (before + w);
             ranked += (long) (2 * w * before + 1) << RANK_BITS;
-            // the greater of both, without a branch: where loads from f wait for memory, a wrong guess would stop them
+            // the greater of both, without a branch: a wrong prediction would stop loads from f that wait for memory
             long more = ranked - most[i];
             most[i] += more & ~(more >> 63);
         }
         metric[k] = ranked >> RANK_BITS;
     }
 
-    /** The projection whose metric was the greatest after a vote of those settled last; of equals the slowest. */
+    /** The projection with the greatest metric after a vote of the block settled last; of equal ones, the slowest. */
     int greatestAfter(int vote) {
         return byRank[(int) greatest[vote] & RANK_MASK];
     }
 
-    /** Metric of a projection, without the votes that wait. */
+    /** Metric of a projection, without the waiting votes. */
     long metric(int k) {
         return metric[k];
     }

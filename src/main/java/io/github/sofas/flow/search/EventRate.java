@@ -1,11 +1,15 @@
 package io.github.sofas.flow.search;
 
 /**
- * Whether so many events are explained in a time that it is worth having a helper search beside labelling. Those that
- * are not do not count: before anything is tracked, there is nothing to do but to search, and soon.
+ * Determines whether enough events per ms are explained to make a helper worthwhile, which searches while further
+ * events are labelled. Events that no track plane explains do not count: before anything is tracked, there is nothing
+ * to do but to search, and soon.
  */
 public final class EventRate {
-    /** Time that events are counted for, and events that make it dense: labelling takes longer than waking a helper. */
+    /**
+     * Time over which events are counted, and the number of events that makes it dense: labelling them takes longer
+     * than waking a helper.
+     */
     private static final long COUNTED_US = 1_000;
     private static final int DENSE = 256;
 
@@ -13,7 +17,7 @@ public final class EventRate {
     private int count;
     private boolean dense;
 
-    /** Goes on to an event, in order of time. */
+    /** Advances to the time of an event; events come in order of time. */
     public void goOn(long timeUs) {
         if (timeUs - fromUs >= COUNTED_US) {
             dense = count >= DENSE && timeUs - fromUs < 2 * COUNTED_US;
@@ -22,12 +26,12 @@ public final class EventRate {
         }
     }
 
-    /** Notes whether it is explained. */
+    /** Notes whether that event is explained. */
     public void note(boolean isExplained) {
         count += isExplained ? 1 : 0;
     }
 
-    /** Whether many events of the ms before were explained. */
+    /** Whether many events of the previous ms were explained. */
     public boolean isDense() {
         return dense;
     }

@@ -1,43 +1,48 @@
 package io.github.sofas.flow.search;
 
 /**
- * A short piece of the stream as the flow plane gets to know it: the events that no track plane explains, and how many
- * were labelled. It ends by the events alone, whatever the batches that they came in.
+ * A short slice of the event stream, as the flow plane receives it: the events that no track plane explains, and the
+ * number of all events that were labelled. While one slice is labelled, the flow plane searches the one before ({@link
+ * SearchedFlowPlane}).
+ *
+ * <p>The events alone determine where a slice ends, whatever the batches in which they come.
  */
 public final class EventSlice {
-    /** Most events that are labelled: searching takes as long as labelling some thousands of events then at most. */
+    /**
+     * Most labelled events of a slice. Searching one then takes at most as long as labelling some thousands of events.
+     */
     private static final int MOST = 2048;
-    /** Longest time: as late as that, and as much again, a structure may be tracked after it was found. */
+    /** Longest duration of a slice. Tracking of a structure may begin up to twice this time after it was found. */
     private static final long LONGEST_US = 1_000;
 
     private final int[] x = new int[MOST];
     private final int[] y = new int[MOST];
     private final long[] timeUs = new long[MOST];
     private final byte[] sign = new byte[MOST];
-    /** How many were labelled before each, and it. */
+    /** For each kept event, the number of events labelled up to and including it. */
     private final int[] place = new int[MOST];
     private int size;
     private int labelled;
     private long fromUs;
     private long untilUs;
 
-    /** What is to be done with an event that no track plane explains. */
+    /** Receives the events that no track plane explains. */
     public interface Taker {
-        /** Whether it takes the event. */
+        /** Whether the receiver takes the event. */
         boolean takes(int x, int y, long timeUs, int polarity);
     }
 
-    /** Bytes of its arrays. */
+    /** Bytes of the arrays of a slice. */
     public static long bytes() {
         return MOST * (3L * Integer.BYTES + Long.BYTES + 1);
     }
 
-    /** Whether it ends before an event of a time. */
+    /** Whether the slice ends before an event of the given time. */
     public boolean isOver(long nextUs) {
         return labelled == MOST || labelled > 0 && nextUs - fromUs >= LONGEST_US;
     }
 
-    /** Notes an event that was labelled, +1 or -1; keeps it unless it is explained. */
+    /** Counts a labelled event of polarity +1 or -1, and keeps it unless it is explained. */
     public void add(int eventX, int eventY, long eventUs, int polarity, boolean isExplained) {
         if (labelled == 0) {
             fromUs = eventUs;
@@ -54,7 +59,7 @@ public final class EventSlice {
         }
     }
 
-    /** Hands out the events that are kept; those that are taken are explained. */
+    /** Offers the kept events to a taker. Those that it takes are explained, and are dropped. */
     public void offer(Taker taker) {
         int left = 0;
         for (int i = 0; i < size; i++) {
@@ -76,12 +81,12 @@ public final class EventSlice {
         labelled = 0;
     }
 
-    /** Events that are kept. */
+    /** Number of kept events. */
     int size() {
         return size;
     }
 
-    /** Events that were labelled. */
+    /** Number of labelled events. */
     public int labelled() {
         return labelled;
     }
@@ -107,7 +112,7 @@ public final class EventSlice {
         return sign[i];
     }
 
-    /** How many events were labelled until the i-th that is kept, with it. */
+    /** Number of events labelled up to and including the i-th kept event. */
     int place(int i) {
         return place[i];
     }

@@ -5,27 +5,31 @@ import io.github.sofas.flow.SofasParameters;
 import java.util.Arrays;
 
 /**
- * The flow plane (paper, section Flow Plane): projections of the events that no track plane takes, each with an
- * accumulator of signed votes and its metric, kept incrementally.
+ * The flow plane (paper, section Flow Plane): projections of the events that no track plane takes. Each projection has
+ * an accumulator of signed votes and its metric, which is kept incrementally.
  *
- * <p>Ours: each of the {@link Projections} holds the events of the time in which its own velocity travels a number of
- * pixels, so that slow and fast structures are looked for at once and on equal terms. Events are added in blocks
- * ({@link VoteBlock}), projection by projection, so that an accumulator stays in the first-level cache.
+ * <p>Ours: the {@link Projections} of one speed form a ring, and hold the events of the time in which this speed
+ * travels a fixed number of pixels. Slow and fast structures are thus searched at once and on equal terms. Events are
+ * added in blocks ({@link VoteBlock}), projection by projection, so that an accumulator stays in the first-level cache.
  */
 public final class FlowPlane {
-    /** Most events, and longest time, between two settlings: how late a structure may be found. */
+    /** Most events, and longest time, between two settlings: the delay with which a structure may be found. */
     private static final int SETTLING = 256;
     private static final long SETTLING_US = 2_000;
     private static final int BLOCK = VoteBlock.CAPACITY;
-    /** Part of a ring's window after which it takes its events in, where they are no block yet. */
+    /**
+     * Number of parts of a ring's window. After one part, the ring takes in its events even if they do not fill a
+     * block.
+     */
     private static final int WINDOW_PARTS = 16;
     /**
-     * Most events that a ring holds, less what it takes in at a time; where more come, the oldest go early. Enough for
-     * 700,000 events per second that no track plane takes; memory is to be bounded.
+     * Most events that a ring holds: those that fit, less the events that it takes in at a time. Where more come, the
+     * oldest leave early. The limit bounds memory, and is enough for 700,000 events per second that no track plane
+     * takes.
      */
     private static final int MOST_EVENTS = FlowPlaneEvents.MOST_HELD - 2 * BLOCK;
 
-    /** Events that a ring lets go before their votes are taken out at the latest; they are held in the meantime. */
+    /** Most events that leave a ring before their votes are taken out; until then the events are kept. */
     private static final int MOST_GONE = BLOCK / 2;
 
     private final SensorSize sensor;
@@ -36,30 +40,30 @@ public final class FlowPlane {
     private final SearchedTiles searched;
     private final short[][] f;
     private final long[] metric;
-    /** Events whose votes the projections of a speed have. */
+    /** By ring, the number of events whose votes the accumulators hold. */
     private final int[] count;
-    /** Number of the oldest event held by the projections of a speed. */
+    /** By ring, the number of the oldest event held. */
     private final int[] oldest;
-    /** Number after the newest event held by the projections of a speed, and when it was taken in. */
+    /** By ring, the number after the newest event held, and the time when the ring last took in events. */
     private final int[] end;
     private final long[] settledUs;
-    /** Numbers of the oldest event whose vote the projections of a speed have, and after the newest. */
+    /** By ring, the number of the oldest event whose vote the accumulators hold, and the number after the newest. */
     private final int[] votedFrom;
     private final int[] votedTo;
 
     /** Number after the newest event that the last settling saw. */
     private int settled;
     private long epochUs;
-    /** Time of the oldest event since. */
+    /** Time of the oldest event since the last settling. */
     private long waitingUs;
     private long total;
     private boolean started;
 
-    /** Events that a ring is to take in, and that are to leave it. */
+    /** Events whose votes a ring is to take in, and those whose votes are to leave it. */
     private final VoteBlock coming;
     private final VoteBlock leaving;
 
-    /** Makes an empty plane for a sensor of so many px. */
+    /** Creates an empty plane for a sensor of the given size in px. */
     public FlowPlane(int sensorWidth, int sensorHeight, SofasParameters.Search p) {
         projections = new Projections(sensorWidth, sensorHeight, p);
         n = projections.n();
@@ -78,13 +82,13 @@ public final class FlowPlane {
         votedTo = new int[n];
     }
 
-    /** The most bytes that its arrays take. */
+    /** Most bytes of the arrays of a flow plane. */
     static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
         return Projections.cells(sensor) * p.flowProjections() * p.flowProjections() * Short.BYTES
             + FlowPlaneEvents.mostBytes() + RecentEvents.bytes(sensor);
     }
 
-    /** Adds an event, which waits to be projected where its tile is searched. */
+    /** Adds an event. If its tile is searched, the event waits to be projected. */
     public void add(int eventX, int eventY, long eventUs, int polarity) {
         recent.add(eventX, eventY, eventUs, polarity);
         if (!searched.takes(eventX, eventY, eventUs)) {
@@ -101,16 +105,17 @@ public final class FlowPlane {
         events.add(eventX, eventY, eventUs, polarity);
     }
 
-    /** Whether events wait to be projected, enough of them or long enough. */
+    /** Whether enough events wait to be projected, or some have waited long enough. */
     public boolean isToSettle(long nowUs) {
         int waiting = events.head() - settled;
         return waiting == SETTLING || waiting != 0 && nowUs - waitingUs > SETTLING_US;
     }
 
     /**
-     * Lets each ring take in the events that came, and those go that it has held long enough; a slow ring not at each
-     * block, because few events at a time are dear: each accumulator has to come into the cache first. For the same
-     * reason they vote only when they are a block, or asked for: in between many come and go.
+     * Lets each ring take in the events that came, and release those that it has held long enough. A slow ring does not
+     * do so at each settling, because few events at a time are expensive: each accumulator has to come into the cache
+     * first. For the same reason, events vote only when they fill a block or when their votes are asked for: until
+     * then, many come and go.
      */
     public void settle(long nowUs) {
         int head = events.head();
@@ -130,7 +135,7 @@ public final class FlowPlane {
         events.letGo(first, firstVoted);
     }
 
-    /** Lets the events go that a ring has held long enough. */
+    /** Releases the events that a ring has held long enough. */
     private void release(int ring, long limitUs) {
         int e = oldest[ring];
         while (e != end[ring] && isOver(e, limitUs)) {
@@ -138,7 +143,7 @@ public final class FlowPlane {
         }
         oldest[ring] = e;
         if (votedTo[ring] - e <= 0 && count[ring] == 0) {
-            // they have come and gone
+            // all events since have come and gone without a vote
             votedFrom[ring] = e;
             votedTo[ring] = e;
         }
@@ -151,7 +156,9 @@ public final class FlowPlane {
         return events.timeUs(event) < limitUs || events.head() - event > MOST_EVENTS;
     }
 
-    /** Lets a ring's projections have the votes of all events that it holds, and of no others. */
+    /**
+     * Brings the accumulators of a ring up to date: they then hold the votes of all events of the ring, and no others.
+     */
     void catchUp(int ring) {
         int from = oldest[ring];
         int to = end[ring];
@@ -181,12 +188,12 @@ public final class FlowPlane {
         }
     }
 
-    /** Adds the events that come to the accumulators of a ring, and takes those that leave out again. */
+    /** Adds the votes of the coming events to the accumulators of a ring, and takes out those of the leaving events. */
     private void vote(int ring) {
         coming.tick(projections.tickBits(ring));
         leaving.tick(projections.tickBits(ring));
         for (int k = ring * n; k < ring * n + n; k++) {
-            // one after the other: the accumulator is in the first-level cache then
+            // both blocks in turn: the accumulator is in the first-level cache then
             metric[k] += coming.vote(f[k], projections.unitsPerTickX(k), projections.unitsPerTickY(k), 1);
             metric[k] += leaving.vote(f[k], projections.unitsPerTickX(k), projections.unitsPerTickY(k), -1);
         }
@@ -196,9 +203,9 @@ public final class FlowPlane {
     }
 
     /**
-     * Takes events out of the projections of a speed, or keeps them out of it where it has not come yet.
+     * Takes events out of a ring. An event that has not voted there yet is kept from voting.
      *
-     * @param numbers of the events, those of the places from one to before another
+     * @param numbers the numbers of the events, from the place {@code from} to before {@code to}
      */
     void takeOut(int ring, int[] numbers, int from, int to) {
         for (int a = from; a < to; a++) {
@@ -222,7 +229,7 @@ public final class FlowPlane {
         return projections.cell(k, events.x(event), events.y(event), events.timeUs(event) - epochUs);
     }
 
-    /** Finds the cells that the events fall on which a projection has the votes of. */
+    /** Finds the cells on which the events held by a projection fall. */
     void findHeld(int k, HeldCells held) {
         int ring = k / n;
         if (oldest[ring] == end[ring]) {
@@ -233,32 +240,32 @@ public final class FlowPlane {
         }
     }
 
-    /** The velocities, and the cells. */
+    /** The projections: velocities and cells. */
     Projections projections() {
         return projections;
     }
 
-    /** The events that any ring holds or is to take in yet. */
+    /** The events that any ring holds or has yet to take in. */
     FlowPlaneEvents events() {
         return events;
     }
 
-    /** The newest events that came, also of tiles that are not searched. */
+    /** The newest events, including those of tiles that are not searched. */
     RecentEvents recent() {
         return recent;
     }
 
-    /** Accumulator of a projection, read only, as it was when its ring caught up last. */
+    /** Accumulator of a projection, read only, as of the time when its ring last caught up. */
     short[] accumulator(int k) {
         return f[k];
     }
 
-    /** The same, its metric. */
+    /** Metric of a projection, as of the time when its ring last caught up. */
     long metric(int k) {
         return metric[k];
     }
 
-    /** Events held by the projections of a speed, which catch up. */
+    /** Number of events whose votes a ring holds; the ring catches up first. */
     int count(int ring) {
         catchUp(ring);
         return count[ring];
@@ -269,27 +276,27 @@ public final class FlowPlane {
         return searched.isThinned();
     }
 
-    /** The pixels that events come from. */
+    /** The size of the sensor. */
     SensorSize sensor() {
         return sensor;
     }
 
-    /** Number of the oldest event that the projections of a speed hold. */
+    /** Number of the oldest event that a ring holds. */
     int oldest(int ring) {
         return oldest[ring];
     }
 
-    /** Number after the newest event that the projections of a speed hold. */
+    /** Number after the newest event that a ring holds. */
     int end(int ring) {
         return end[ring];
     }
 
-    /** How many events ever came. */
+    /** Number of events that were settled since the start. */
     public long total() {
         return total;
     }
 
-    /** Metric an event held of each projection, to be shown; 0 where it holds none. */
+    /** Metric per held event of each projection, for display; 0 for a projection that holds no events. */
     public float[] metricsPerEvent() {
         float[] perEvent = new float[n * n];
         for (int k = 0; k < perEvent.length; k++) {

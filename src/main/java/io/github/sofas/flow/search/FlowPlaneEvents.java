@@ -1,34 +1,38 @@
 package io.github.sofas.flow.search;
 
 /**
- * The events that the flow plane holds, by number in the order in which they came, with a mark for each ring of
- * projections that an event was taken out of or looked at in vain in. A ring of arrays that grow with what is held.
+ * The events that the flow plane holds, numbered in the order in which they came. Marks note the rings of projections
+ * from which an event was taken out, and those in which it was looked at in vain. The events lie in ring buffers, which
+ * grow with the number of events held.
  */
 final class FlowPlaneEvents implements NumberedEvents {
-    /** Events that its arrays have room for at most. */
+    /** Most events for which the arrays have room. */
     static final int MOST_HELD = 1 << 20;
     private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES;
 
     private static final int WORD_BITS = 6;
 
-    // by number, modulo the capacity
+    // indexed by event number modulo the capacity
     private long[] timeUs = new long[1 << 14];
     private short[] x = new short[1 << 14];
     private short[] y = new short[1 << 14];
     private byte[] sign = new byte[1 << 14];
-    /** Rings that the event was taken out of, a bit each. */
+    /** Rings from which the event was taken out, one bit each. */
     private int[] takenOut = new int[1 << 14];
-    /** Events that were taken out of no ring, a bit each. */
+    /** Events that were taken out of no ring, one bit each. */
     private long[] left = new long[1 << 14 - WORD_BITS];
-    /** Rings in which the event was looked at in vain, a bit each. */
+    /** Rings in which the event was looked at in vain, one bit each. */
     private int[] refused = new int[1 << 14];
     private int mask = timeUs.length - 1;
     private int head;
     private int first;
-    /** Number of the oldest event that there is yet, before the first that is held: its votes are to be taken out. */
+    /**
+     * Number of the oldest event that is still stored. It may come before the first held event, because its votes are
+     * yet to be taken out.
+     */
     private int kept;
 
-    /** The most bytes that its arrays take. */
+    /** Most bytes of the arrays. */
     static long mostBytes() {
         return (long) EVENT_BYTES * MOST_HELD + MOST_HELD / Byte.SIZE;
     }
@@ -88,13 +92,13 @@ final class FlowPlaneEvents implements NumberedEvents {
         return first;
     }
 
-    /** Lets all events before a number go, of which those before another are not needed any more. */
+    /** Releases all events before a number. Those before the second number are not needed any more. */
     void letGo(int before, int beforeNeeded) {
         first = before;
         kept = beforeNeeded;
     }
 
-    /** Whether an event that came is held yet. */
+    /** Whether an event that came is still held. */
     boolean holds(int event) {
         return event - first >= 0;
     }
@@ -132,7 +136,10 @@ final class FlowPlaneEvents implements NumberedEvents {
         return takenOut[event & mask] != 0;
     }
 
-    /** Number of the first event from one on that was taken out of no ring; of a later one where there is none. */
+    /**
+     * Number of the first event, from the given one on, that was taken out of no ring. Where there is none, a number
+     * not before {@link #head()}.
+     */
     int left(int event) {
         int e = event;
         long word = left[(e & mask) >> WORD_BITS] >>> e;
@@ -143,7 +150,7 @@ final class FlowPlaneEvents implements NumberedEvents {
         return e + Long.numberOfTrailingZeros(word);
     }
 
-    /** Notes that an event was looked at in vain, in a ring. */
+    /** Notes that an event was looked at in vain in a ring. */
     void refuse(int ring, int event) {
         refused[event & mask] |= 1 << ring;
     }
@@ -152,7 +159,7 @@ final class FlowPlaneEvents implements NumberedEvents {
         return (refused[event & mask] >> ring & 1) != 0;
     }
 
-    /** Forgets all events, and begins to number them anew. */
+    /** Forgets all events, and restarts their numbering. */
     void clear() {
         head = 0;
         first = 0;

@@ -1,9 +1,9 @@
 package io.github.sofas.flow.search;
 
 /**
- * The cells of an accumulator that the events held fall on: of each row as many columns from one on, and so many rows.
- * The accumulator is a torus, larger than the sensor: they may go on at its other side. Ours, because looking through
- * all cells is a tenth of what dense texture costs, and less than half of them have votes.
+ * The cells of an accumulator on which the held events fall: a range of columns, the same in each row, and a range of
+ * rows. The accumulator is a torus larger than the sensor, so that either range may wrap around. Ours, because looking
+ * through all cells is a tenth of the cost of dense texture, and fewer than half of the cells have votes.
  */
 final class HeldCells {
     private final int columns;
@@ -13,13 +13,13 @@ final class HeldCells {
     private int firstRow;
     private int rowCount;
 
-    /** Makes it for an accumulator of so many columns and rows. */
+    /** Creates ranges for an accumulator with the given numbers of columns and rows. */
     HeldCells(int columns, int rows) {
         this.columns = columns;
         this.rows = rows;
     }
 
-    /** Has other cells from now on; of more columns or rows than there are, all. */
+    /** Sets the ranges. Counts greater than those of the accumulator mean all columns or rows. */
     void set(int fromColumn, int itsColumns, int fromRow, int itsRows) {
         firstColumn = fromColumn;
         columnCount = Math.min(columns, itsColumns);
@@ -27,22 +27,22 @@ final class HeldCells {
         rowCount = Math.min(rows, itsRows);
     }
 
-    /** Whether a row has any. */
+    /** Whether a row is in the range of rows. */
     boolean hasRow(int row) {
         return (row - firstRow & rows - 1) < rowCount;
     }
 
-    /** Column after the last one of those at the beginning of each row, which go on from its end; 0 where none do. */
+    /** End, exclusive, of the columns that wrap around to the beginning of each row; 0 where none do. */
     int untilColumn() {
         return Math.max(0, firstColumn + columnCount - columns);
     }
 
-    /** The first of the other columns. */
+    /** First column of the range. */
     int fromColumn() {
         return firstColumn;
     }
 
-    /** Column after the last of those. */
+    /** End, exclusive, of the columns that do not wrap around. */
     int endColumn() {
         return Math.min(columns, firstColumn + columnCount);
     }

@@ -1,6 +1,6 @@
 package io.github.sofas.flow.search;
 
-/** Events by number in the order in which they came, of which the newest are held. */
+/** Events numbered in the order in which they came, of which only the newest are held. */
 interface NumberedEvents {
     /** Number of the oldest event that is held. */
     int oldest();
@@ -11,7 +11,7 @@ interface NumberedEvents {
     /** Time of an event that is held, in µs. */
     long timeUs(int event);
 
-    /** Number of the oldest event that is held and not before a time. */
+    /** Number of the oldest held event that is not before a time; {@link #head()} where there is none. */
     default int first(long fromUs) {
         int low = oldest();
         int count = head() - low;

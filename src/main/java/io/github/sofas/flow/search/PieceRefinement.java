@@ -5,44 +5,56 @@ import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.fit.VelocityTop;
 
 /**
- * The velocity of a piece of the flow plane: from its projection's, fit by fit, to the top of the metric, the paper's
- * refining cycles (section Structure Detection). A fit at a time, so that labelling goes on in between.
+ * Refines the velocity of a piece of the flow plane: from that of its projection, fit by fit, to the top of the metric.
+ * These are the paper's refining cycles (section Structure Detection). Each step makes one fit, so that labelling
+ * continues in between.
  *
- * <p>Ours, because sliding an edge along itself at any speed is rewarded while counts are small: a piece is a structure
- * only when it has travelled enough to be distinguished from one that stands still, and meets itself often enough; and
- * of velocities that are about as good the slowest is taken, the more readily the slower it is. Texture shows its
- * velocity along both axes, and by so many events that little travel shows it: it only has to pass rest by more than
- * chance. Most pieces are none, and are given up as early as they show it: many have not travelled enough yet, and are
- * sharper at rest than along their projection.
+ * <p>Ours, because the metric rewards sliding an edge along itself at any speed while counts are small. A piece is
+ * therefore a structure only if it has travelled enough to be distinguished from one that stands still, and if its
+ * events meet often enough. Of velocities that are about equally good, the slowest is taken, the more readily the
+ * slower it is. Texture shows its velocity along both axes, and by so many events that little travel is enough: its
+ * metric only has to pass that at rest by more than chance. Most pieces are not structures, and are given up as soon as
+ * they show it. Many have not travelled enough yet, and are sharper at rest than along their projection.
  */
 final class PieceRefinement {
     private static final int MOST_FITS = 8;
-    /** Events of a piece that are fitted. */
+    /** Most events of a piece that are fitted. */
     private static final int SAMPLE_EVENTS = 1000;
     /**
-     * Share of the metric within which the slowest velocity is taken: an edge then gets its normal flow. It is the
-     * share for one that is hardly slower, and grows with the square of how many times slower it is: two edges that are
-     * all but parallel and move differently are sharp along one velocity, too, far along both.
+     * Share of the metric that the slowest velocity may lose and still be taken: an edge then gets its normal flow. The
+     * share holds for a velocity that is hardly slower, and grows with the square of how many times slower it is. The
+     * reason is two edges that are nearly parallel and move differently: they are sharp along one velocity, too, which
+     * points far along both.
      */
     private static final double SLOWEST_WITHIN = 0.03;
     /**
-     * Shares of the evidence below which a piece is given up after the first fits: those of structures begin at 0.5,
-     * and have 1 after the third.
+     * Shares of the evidence below which a piece is given up after the first, second and third fit. Structures begin at
+     * 0.5, and have 1 after the third.
      */
     private static final double[] HOPELESS = {0.4, 0.55, 0.75};
     /**
-     * Standard deviations by which the metric passes that at rest where a piece may yet show its velocity, and where it
-     * does: a metric of m has one of sqrt(m). Ours, because many events show in 3 px of travel what few show in 6.
+     * Standard deviations by which the metric must pass that at rest where a piece may still show its velocity, and
+     * where it does. A metric of m has a standard deviation of sqrt(m). Ours, because many events show in 3 px of
+     * travel what few events show in 6.
      */
     private static final double HOPEFUL_SIGMAS = 3;
     private static final double SHOWN_SIGMAS = 10;
-    /** Standard deviations by which any structure passes rest: of pieces with fewer half have a wrong velocity. */
+    /**
+     * Standard deviations by which the metric of any structure must pass that at rest: half of the pieces with fewer
+     * have a wrong velocity.
+     */
     private static final double LEAST_SIGMAS = 6;
-    /** Standard deviations that a shift of both ends of the window by a pixel loses at least, in any direction. */
+    /**
+     * A velocity is known along both axes where a shift of both ends of the window by one pixel loses at least so many
+     * standard deviations of the metric, in any direction.
+     */
     private static final double KNOWN_SIGMAS = 1;
-    /** Metric per event of what shows its velocity, at least. */
+    /** Least metric per event of a piece that shows its velocity by many events. */
     private static final double LEAST_DENSITY = 0.7;
-    /** Longest window of what shows its velocity by many events: over more, a swing to and fro looks like a drift. */
+    /**
+     * Longest window of a piece that shows its velocity by many events: in a longer one, a swing to and fro looks like
+     * a drift.
+     */
     private static final double SHOWN_WITHIN_S = 0.2;
 
     private enum Stage { BEST, SLOWEST, OVER }
@@ -51,16 +63,16 @@ final class PieceRefinement {
     private SofasParameters.Search p;
     private Stage stage = Stage.OVER;
     private boolean structure;
-    /** Whether the border may cut off a part of the piece. */
+    /** Whether the border of the sensor may cut off a part of the piece. */
     private boolean isAtBorder;
-    /** Events of the piece, of which a sample is fitted. */
+    /** Number of events of the piece, of which a sample is fitted. */
     private int size;
     private double window;
-    /** Metric of the events where they are. */
+    /** Metric of the events where they are, that is at rest. */
     private double atRest;
     private double vx;
     private double vy;
-    /** Fits of this climb so far. */
+    /** Number of fits of this climb so far. */
     private int fits;
     // what the first climb found
     private double bestX;
@@ -72,15 +84,16 @@ final class PieceRefinement {
         this.p = p;
     }
 
-    /** Refines with other parameters from the next piece on. */
+    /** Continues with other parameters. */
     void setParameters(SofasParameters.Search next) {
         p = next;
     }
 
     /**
-     * Begins with some of the flow plane's events.
+     * Begins to refine a piece, given by some of the flow plane's events.
      *
-     * @param numbers of the events, in order of time, from a place on
+     * @param numbers the numbers of the events in order of time; the piece has {@code count} of them, from the place
+     *     {@code from} on
      * @param fromVx velocity to begin at, in px/s
      */
     void begin(FlowPlaneEvents events, int[] numbers, int from, int count, double fromVx, double fromVy) {
@@ -130,7 +143,7 @@ final class PieceRefinement {
         return stage == Stage.OVER;
     }
 
-    /** Whether the piece is a structure, once it is over. */
+    /** Whether the piece is a structure, once the refinement is over. */
     boolean isStructure() {
         return structure;
     }
@@ -144,12 +157,12 @@ final class PieceRefinement {
         return vy;
     }
 
-    /** Share of its metric that the structure loses along another velocity, in px/s; it is over. */
+    /** Share of its metric that the structure loses along another velocity in px/s, once the refinement is over. */
     double shareLost(double otherVx, double otherVy) {
         return 1 - fit.metric(otherVx, otherVy) / fit.metric(vx, vy);
     }
 
-    /** Standard deviation of its metric, as a share of it. */
+    /** Standard deviation of the structure's metric, as a share of that metric. */
     double noiseShare() {
         double metric = fit.metric(vx, vy);
         return MetricFit.sd(metric) / metric;
@@ -199,7 +212,7 @@ final class PieceRefinement {
         double across = vx * top.axisX() + vy * top.axisY();
         double along = vy * top.axisX() - vx * top.axisY();
         if (structure && Math.abs(along) > 0.1 * Math.abs(across)) {
-            // the slowest of what is about as good: without the velocity along the edge
+            // seek the slowest velocity that is about as good: the one without the part along the edge
             stage = Stage.SLOWEST;
             bestX = vx;
             bestY = vy;
@@ -208,23 +221,23 @@ final class PieceRefinement {
         }
     }
 
-    /** Whether what was fitted last is a structure, and not what chance or an edge along itself would give. */
+    /** Whether the last fit shows a structure, and not what chance or an edge that slides along itself would give. */
     private boolean isEvident(VelocityTop top) {
         double metric = isAtBorder ? fit.metricAsSeen(vx, vy) : top.metric();
-        // where the border counts, what leaves the sensor soon may have been climbed to from rest
+        // where the border counts, the climb may have led from rest to a motion that soon leaves the sensor
         return sigmasOverRest(metric) >= LEAST_SIGMAS
             && (hasTravelled(top) && density(metric) >= p.evidence() || isShown(top, metric));
     }
 
-    /** Whether what was fitted last has travelled enough to be distinguished from what stands still. */
+    /** Whether the piece, as fitted last, has travelled enough to be distinguished from one that stands still. */
     private boolean hasTravelled(VelocityTop top) {
-        // travel counts where it is seen: in the directions that would lose by standing still
+        // travel counts where it is visible: in the directions in which standing still would lose metric
         double loss = top.lossXx() * vx * vx + 2 * top.lossXy() * vx * vy + top.lossYy() * vy * vy;
         double travelPx = Math.sqrt(Math.max(0, loss / top.bestLoss())) * window;
         return travelPx > 0.6 * Projections.TRAVEL_PX;
     }
 
-    /** Whether the velocity passes rest by more than chance, and is known along both axes. */
+    /** Whether the metric passes that at rest by more than chance, and the velocity is known along both axes. */
     private boolean isShown(VelocityTop top, double metric) {
         return window < SHOWN_WITHIN_S && sigmasOverRest(metric) > SHOWN_SIGMAS && density(metric) > LEAST_DENSITY
             && top.leastLoss() * px() * px() > KNOWN_SIGMAS * Math.sqrt(top.metric());
@@ -234,7 +247,7 @@ final class PieceRefinement {
         return (metric - Math.max(0, atRest)) / MetricFit.sd(metric);
     }
 
-    /** Metric an event of the whole piece; in a thinned sample events meet by so much less. */
+    /** Metric per event of the whole piece. In a thinned sample, events meet less often in proportion. */
     private double density(double metric) {
         return metric / fit.size() * size / fit.size();
     }

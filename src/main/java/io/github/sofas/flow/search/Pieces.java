@@ -4,33 +4,33 @@ import java.util.Arrays;
 import java.util.BitSet;
 
 /**
- * The pieces of a projection: cells that stand out, with the occupied cells that are connected to them (paper, section
- * Flow Plane), and the events that fall on each.
+ * The pieces of a projection, each of which may be a structure. A piece consists of the cells that stand out and the
+ * occupied cells connected to them (paper, section Flow Plane), with the events that fall on these cells.
  */
 final class Pieces {
     private static final int LEAST_STRONG = 3;
     private static final int LEAST_OCCUPIED = 2;
 
     /**
-     * Side of the parts that a piece of texture is cut into, in cells: 48 px; and the share of its box that texture
-     * fills, more than an outline does. Texture that is seen from a camera that turns or moves forward has one
-     * velocity in parts of it only; parts of one motion merge at once.
+     * Side of the parts into which a piece of texture is cut, in cells: 48 px. The second value is the share of its box
+     * that texture fills at least, more than an outline does. Seen by a camera that turns or moves forward, texture has
+     * one velocity only within parts; parts of one motion merge at once.
      */
     private static final int PART_CELLS = 24;
     private static final double LEAST_FILL = 0.2;
-    /** Parts along an axis of the largest accumulator. */
+    /** Most parts along an axis: those of the largest accumulator. */
     private static final int PARTS = 128;
     private final FlowPlane plane;
     private final int n;
     private final int columnBits;
-    /** The cells that are looked through. */
+    /** Range of the cells that are looked through. */
     private final HeldCells held;
     private final int[] label;
     private final int[] fill;
     private int filled;
-    /** Number of each part that was met, 0 of the others. */
+    /** Piece number of each part that was met, 0 for the others. */
     private final int[] partOf = new int[PARTS * PARTS];
-    // events on pieces, as numbers of the flow plane: by piece, and as they came with the piece of each
+    // numbers of the events on pieces: sorted by piece, and in order of time with the piece of each
     private int[] events = new int[4096];
     private int[] came = new int[4096];
     private int[] pieceOf = new int[4096];
@@ -38,9 +38,9 @@ final class Pieces {
     /** Pieces that are parts of texture. */
     private final BitSet texture = new BitSet();
 
-    /** The most bytes that its arrays take: two marks a cell, and three numbers an event. */
+    /** Most bytes of the arrays: two marks per cell, and three numbers per event. */
     static long mostBytes(long cells) {
-        // up to two counts a cell; arrays of events may have grown to twice what is held
+        // and up to two counts per cell; arrays of events may have grown to twice the number held
         return Integer.BYTES * (4 * cells + 3 * 2L * FlowPlaneEvents.MOST_HELD);
     }
 
@@ -56,8 +56,8 @@ final class Pieces {
     /**
      * Finds the pieces of a projection.
      *
-     * @param thresholdSd standard deviations over the mean of the occupied cells that a cell must reach to stand out
-     * @return how many there are
+     * @param thresholdSd standard deviations above the mean of the occupied cells that a cell must reach to stand out
+     * @return the number of pieces
      */
     int find(int k, double thresholdSd) {
         plane.catchUp(k / n);
@@ -70,24 +70,24 @@ final class Pieces {
         return pieces;
     }
 
-    /** Whether a piece is a part that texture was cut into. */
+    /** Whether a piece is a part into which texture was cut. */
     boolean isTexture(int piece) {
         return texture.get(piece);
     }
 
-    /** Events of all pieces, each piece's in order of time. */
+    /** Numbers of the events of all pieces, piece by piece, each piece's in order of time. */
     int[] events() {
         return events;
     }
 
-    /** Where the events of a piece begin, and those of the one before end. */
+    /** Place where the events of a piece begin, and those of the piece before end. */
     int start(int piece) {
         return starts[piece];
     }
 
-    /** Numbers the pieces, from 1 on. */
+    /** Numbers the pieces from 1 on, and returns how many there are. */
     private int connect(short[] f, long squares, double thresholdSd) {
-        // whole numbers reach it where they reach the next whole one
+        // counts are whole numbers: they reach the threshold where they reach the next whole number
         int threshold = (int) Math.ceil(threshold(f, squares, thresholdSd));
         int pieces = 0;
         filled = 0;
@@ -102,7 +102,7 @@ final class Pieces {
         return pieces;
     }
 
-    /** Numbers the pieces that are found from one cell on until before another, after some; returns the last number. */
+    /** Numbers the pieces that begin in a range of cells, after those already known; returns the last number. */
     private int connect(short[] f, int from, int to, int threshold, int known) {
         int pieces = known;
         for (int c = from; c < to; c++) {
@@ -121,7 +121,7 @@ final class Pieces {
         return pieces;
     }
 
-    /** Gives a cell and all occupied ones that are connected to it a label. */
+    /** Gives a cell, and all occupied cells connected to it, the number of a piece as label. */
     private void flood(short[] f, int c, int piece) {
         int columns = (1 << columnBits) - 1;
         int rows = f.length / (columns + 1) - 1;
@@ -144,7 +144,10 @@ final class Pieces {
         }
     }
 
-    /** Whether the cells from a place on fill a box that is longer than a part both ways: texture, not an outline. */
+    /**
+     * Whether the cells of a piece, from a place on, fill a box that is longer than a part along both axes: texture,
+     * not an outline.
+     */
     private boolean isFilled(int c, int first) {
         int columns = 1 << columnBits;
         int rows = label.length / columns;
@@ -153,7 +156,7 @@ final class Pieces {
         int up = 0;
         int down = 0;
         for (int i = first; i < filled; i++) {
-            // around the seed, for the accumulator is a torus
+            // relative to the seed, because the accumulator is a torus
             int dx = Math.floorMod((fill[i] & columns - 1) - (c & columns - 1) + columns / 2, columns) - columns / 2;
             int dy = (fill[i] >> columnBits) - (c >> columnBits);
             dy = Math.floorMod(dy + rows / 2, rows) - rows / 2;
@@ -182,7 +185,7 @@ final class Pieces {
         return last;
     }
 
-    /** Mean + w sd of the occupied cells, whose squares add up to the metric. */
+    /** Mean + w sd of the occupied cells; the squares of these add up to the metric. */
     private double threshold(short[] f, long squares, double thresholdSd) {
         long sum = 0;
         int occupied = 0;
@@ -202,7 +205,7 @@ final class Pieces {
         return Math.max(LEAST_STRONG, mean + thresholdSd * sd);
     }
 
-    /** Sum of the counts of cells in the high half, and in the low half how many are occupied. */
+    /** Sum of the absolute counts of some cells in the high half, and the number of occupied ones in the low half. */
     private static long look(short[] f, int from, int to) {
         int sum = 0;
         int occupied = 0;
@@ -214,12 +217,12 @@ final class Pieces {
         return ((long) sum << Integer.SIZE) + occupied;
     }
 
-    /** 1 of a count that is not 0, without a branch: half of the cells are occupied, here and there. */
+    /** 1 for a count other than 0, without a branch: half of the cells are occupied, irregularly scattered. */
     private static int oneUnlessZero(int count) {
         return -count >>> Integer.SIZE - 1;
     }
 
-    /** Sorts the events of a projection by the pieces that they fall on, in order of time. */
+    /** Sorts the events of a projection by the piece on which they fall, in order of time within each piece. */
     private void sort(int k, int pieces) {
         if (starts.length < pieces + 2) {
             starts = new int[2 * pieces];
@@ -252,7 +255,7 @@ final class Pieces {
         for (int i = 0; i < found; i++) {
             events[starts[pieceOf[i]]++] = came[i];
         }
-        // each start moved to the next one's
+        // each start has moved to that of the next piece
         System.arraycopy(starts, 0, starts, 1, pieces + 1);
         starts[0] = 0;
     }

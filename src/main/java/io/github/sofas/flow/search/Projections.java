@@ -4,28 +4,28 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.SofasParameters;
 
 /**
- * The n x n projections of the flow plane: n rings of one speed each, evenly spaced in logarithm, by n directions, and
- * the cells of their accumulators.
+ * The n x n projections of the flow plane and the cells of their accumulators. There are n rings of one speed each,
+ * evenly spaced in logarithm, and n directions per ring.
  *
- * <p>Ours: cells are 2 x 2 px, which makes neighbouring velocities overlap and lets an accumulator stay in the
- * first-level cache. Accumulators are tori larger than the sensor and the travel, so that events which are held
+ * <p>Ours: cells are 2 x 2 px, so that neighbouring velocities overlap and an accumulator stays in the first-level
+ * cache. An accumulator is a torus larger than the sensor and the travel together, so that events which are held
  * together never meet across the seam.
  */
 final class Projections {
     /**
-     * Travel after which an event leaves a projection: one lifespan for all speeds is too long for fast and too short
-     * for slow objects.
+     * Travel in px after which an event leaves a projection. One lifespan for all speeds would be too long for fast and
+     * too short for slow objects.
      */
     static final double TRAVEL_PX = 6;
-    /** A ring's time is in ticks in which it travels at most this part of a pixel, where a µs is not longer. */
+    /** Most travel of a ring per tick of its time, in px. Where a ring travels farther in a µs, its tick is a µs. */
     private static final double TICK_PX = 1.0 / 256;
 
     private final int n;
     private final double[] speed;
     private final long[] windowUs;
-    /** Ticks of a ring: 2^this µs. */
+    /** A tick of a ring lasts 2^this µs. */
     private final int[] tickBits;
-    // units a tick
+    // velocity of each projection, in units of a vote block per tick
     private final int[] vx;
     private final int[] vy;
     private final int columnBits;
@@ -55,23 +55,26 @@ final class Projections {
         }
     }
 
-    /** Cells of an accumulator. */
+    /** Number of cells of an accumulator. */
     static long cells(SensorSize sensor) {
         return 1L << bits(sensor.width()) + bits(sensor.height());
     }
 
-    /** Cells along an axis, as a power of two. */
+    /** Number of cells along an axis, as an exponent of 2. */
     private static int bits(int sensorSide) {
         int least = sensorSide / 2 + (int) TRAVEL_PX / 2 + 3;
         return Integer.SIZE - Integer.numberOfLeadingZeros(least - 1);
     }
 
-    /** Projections along each axis; number k is the direction k % n of the ring k / n. */
+    /** Number of projections along each axis. Projection k has the direction k % n in the ring k / n. */
     int n() {
         return n;
     }
 
-    /** Cells of an accumulator: columns in the low {@link #columnBits} bits of an index, rows above. */
+    /**
+     * Number of cells of an accumulator. An index has the column in its low {@link #columnBits} bits, and the row
+     * above.
+     */
     int cells() {
         return 1 << columnBits + rowBits;
     }
@@ -89,17 +92,17 @@ final class Projections {
         return speed[ring];
     }
 
-    /** Time for which a ring holds an event. */
+    /** Time for which a ring holds an event, in µs. */
     long windowUs(int ring) {
         return windowUs[ring];
     }
 
-    /** Ticks of a ring are 2^this µs. */
+    /** A tick of a ring lasts 2^this µs. */
     int tickBits(int ring) {
         return tickBits[ring];
     }
 
-    /** Velocity of a projection in units of a vote block a tick of its ring. */
+    /** Velocity of a projection, in units of a vote block per tick of its ring. */
     int unitsPerTickX(int k) {
         return vx[k];
     }
@@ -120,7 +123,7 @@ final class Projections {
     /**
      * Cell of an event in a projection.
      *
-     * @param sinceUs time from the one at which all projections show the sensor as it is
+     * @param sinceUs time since the moment at which all projections show the sensor as it is, in µs
      */
     int cell(int k, int x, int y, long sinceUs) {
         int ticks = (int) (sinceUs >> tickBits[k / n]);
@@ -130,10 +133,10 @@ final class Projections {
     }
 
     /**
-     * Finds the cells that events of a sensor fall on in a projection.
+     * Finds the cells of a projection on which events of a sensor fall.
      *
-     * @param fromUs time of the first event from the one at which all projections show the sensor as it is
-     * @param untilUs time of the last event
+     * @param fromUs time of the first event since the moment at which all projections show the sensor as it is
+     * @param untilUs the same of the last event
      */
     void findHeld(int k, long fromUs, long untilUs, SensorSize sensor, HeldCells held) {
         int from = (int) (fromUs >> tickBits[k / n]);
@@ -144,7 +147,10 @@ final class Projections {
             y >>> Integer.SIZE - rowBits, count(y, vy[k], ticks, sensor.height(), rowBits));
     }
 
-    /** The least position of the sensor's first pixels, in units of a vote block: it moves against the velocity. */
+    /**
+     * Least projected position of the sensor's first column or row, in units of a vote block. Projected positions move
+     * against the velocity.
+     */
     private static int first(int velocity, int fromTick, int ticks) {
         return -velocity * fromTick - Math.max(0, velocity * ticks);
     }

@@ -3,11 +3,14 @@ package io.github.sofas.flow.search;
 import io.github.sofas.event.SensorSize;
 
 /**
- * The newest events that no track plane took, also of tiles that are not searched: what a structure that is found takes
- * over from its surroundings. A ring by number, in which each event costs its place only.
+ * The newest events that no track plane took, including those of tiles that are not searched. From these, a new
+ * structure takes over its surroundings. The events lie in a ring buffer by number, in which each costs only its place.
  */
 final class RecentEvents implements NumberedEvents {
-    /** Events for each pixel of the sensor, at least: more than the densest texture gives in a few px of travel. */
+    /**
+     * Least number of events held per pixel of the sensor: more than the densest texture gives in a few px of travel.
+     * On sensors of more than half a million px, fewer are held, since there are at most {@link #MOST}.
+     */
     private static final int PER_PIXEL = 2;
     private static final int MOST = 1 << 20;
     private static final int EVENT_BYTES = Long.BYTES + 2 * Short.BYTES + Byte.BYTES;
@@ -15,7 +18,7 @@ final class RecentEvents implements NumberedEvents {
     private final long[] timeUs;
     private final short[] x;
     private final short[] y;
-    /** +1 or -1; 0 of an event that was taken. */
+    /** +1 or -1; 0 for an event that was taken. */
     private final byte[] sign;
     private final int mask;
     private int head;
@@ -30,13 +33,13 @@ final class RecentEvents implements NumberedEvents {
         sign = new byte[capacity];
     }
 
-    /** Events that are held at most. */
+    /** Most events that are held. */
     static int capacity(SensorSize sensor) {
         int wanted = Math.min(MOST, PER_PIXEL * sensor.width() * sensor.height());
         return 1 << Integer.SIZE - Integer.numberOfLeadingZeros(wanted - 1);
     }
 
-    /** Bytes of its arrays. */
+    /** Bytes of the arrays. */
     static long bytes(SensorSize sensor) {
         return (long) EVENT_BYTES * capacity(sensor);
     }
@@ -78,7 +81,7 @@ final class RecentEvents implements NumberedEvents {
         return timeUs[event & mask];
     }
 
-    /** +1 or -1, or 0 where it was taken. */
+    /** +1 or -1; 0 for an event that was taken. */
     int sign(int event) {
         return sign[event & mask];
     }

@@ -6,36 +6,42 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Recognises a piece of the flow plane as a part of a structure that is tracked: its events meet nearly as often along
- * the motion of a structure around it as along the piece's own velocity.
+ * Recognises a piece of the flow plane as a part of a structure that is already tracked: the events of the piece meet
+ * nearly as often along the motion of a structure around it as along the piece's own velocity.
  *
- * <p>Ours: a wall before a camera has some such parts each px of travel, where its contour does not hold yet, or has
- * lost, what is there. Each of them was tracked by itself, with a velocity of few events, until it merged. A structure
- * that does not know its velocity along both axes, as a straight edge, has no parts: what slides along it would explain
- * any edge that is parallel to it.
+ * <p>Ours: a wall before a camera gives some such parts per pixel of travel, where its contour does not hold the
+ * texture yet, or has lost it. Without recognition, each part is tracked by itself, with a velocity of few events,
+ * until it merges. A structure whose velocity is not known along both axes, such as a straight edge, has no parts: by
+ * sliding along itself, it would explain any parallel edge.
  *
- * <p>What is tracked is known as it was when it was told of last, since others may track it now; for the same reason
- * the events of parts wait until they may be shown.
+ * <p>The tracked structures are known as they were at the last {@link #look}, since another thread may track them now.
+ * For the same reason, the events of parts wait until they may be shown to their structures ({@link #show}).
  */
 public final class Recognition {
-    /** Most events that wait: what is more than there is room for is recognised as no part. */
+    /** Most events that wait. A piece whose events do not fit is recognised as no part. */
     private static final int MOST_WAITING = 1 << 14;
-    /** Bytes of its arrays. */
+    /** Bytes of the arrays. */
     static final long BYTES = 2L * Integer.BYTES * MOST_WAITING;
 
-    /** Share of its metric that a part may lose, and standard deviations: its own velocity is fitted to noise, too. */
+    /**
+     * Share of its metric that a part may lose, and standard deviations of the metric that it may lose in addition: its
+     * own velocity is fitted to noise, too.
+     */
     private static final double MOST_LOST = 0.02;
     private static final double LOST_SIGMAS = 1;
-    /** A structure has so many times the events of a part: of a small one, a part is as well known as the whole. */
+    /**
+     * Least ratio of the events of a structure to those of a part: a part of a small structure is known as well as the
+     * whole.
+     */
     private static final int LEAST_TIMES = 2;
-    /** Distance from the box of the structure within which a part lies, in px. */
+    /** Largest distance of a part from the box of the structure, in px. */
     private static final double GAP_PX = 4;
 
     private final Structures structures;
     private final FlowPlaneEvents events;
     private final List<Known> known = new ArrayList<>();
     private int knownSize;
-    /** Events that wait, by their number in the flow plane, and the structure that each is for. */
+    /** Events that wait, by their number in the flow plane, and the id of the structure for which each waits. */
     private final int[] waiting = new int[MOST_WAITING];
     private final int[] receiver = new int[MOST_WAITING];
     private int waitingSize;
@@ -47,12 +53,12 @@ public final class Recognition {
         private int id;
         private long size;
 
-        /** How it moves; to be set. */
+        /** Motion of the structure, to be set by the caller. */
         public Motion motion() {
             return motion;
         }
 
-        /** The box that it lies in, in px of the sensor; to be set. */
+        /** Box that holds the structure, in px of the sensor, to be set by the caller. */
         public Bounds box() {
             return box;
         }
@@ -63,18 +69,18 @@ public final class Recognition {
         this.events = events;
     }
 
-    /** Has itself told anew what is tracked; not while others track it. */
+    /** Looks anew which structures are tracked. Not to be called while another thread tracks them. */
     void look(long nowUs) {
         knownSize = 0;
         structures.tell(this, nowUs);
     }
 
     /**
-     * Has a structure among those that are tracked.
+     * Adds a structure to those that are known to be tracked.
      *
      * @param id number of the structure, from 1 on
-     * @param size how many events it gave over the travel that its motion is measured over
-     * @return what else is to be told of it
+     * @param size number of events that the structure gave over the travel on which its motion is measured
+     * @return the new entry, whose motion and box are to be set
      */
     public Known know(int id, long size) {
         if (knownSize == known.size()) {
@@ -88,11 +94,12 @@ public final class Recognition {
     }
 
     /**
-     * The structure that a piece is a part of.
+     * Finds the structure of which a piece is a part.
      *
-     * @param numbers of the piece's events in the flow plane, in order of time, from a place on
+     * @param numbers the numbers of the piece's events in the flow plane, in order of time, from the place {@code from}
+     *     on
      * @param refined the piece's velocity
-     * @return its number; 0 where the piece is part of none that is tracked
+     * @return id of the structure; 0 where the piece is a part of no tracked structure
      */
     int structureOf(int[] numbers, int from, int size, PieceRefinement refined) {
         if (waitingSize + size > MOST_WAITING) {
@@ -127,7 +134,7 @@ public final class Recognition {
         return best;
     }
 
-    /** Has an event of a part wait until it may be shown to the structure. */
+    /** Lets an event of a part wait until it may be shown to the structure. */
     void give(int id, int event) {
         waiting[waitingSize] = event;
         receiver[waitingSize] = id;
@@ -139,7 +146,7 @@ public final class Recognition {
         return waitingSize > 0;
     }
 
-    /** Shows the events that wait to their structures; not while others track these. */
+    /** Shows the waiting events to their structures. Not to be called while another thread tracks these. */
     void show(long nowUs) {
         for (int i = 0; i < waitingSize; i++) {
             int e = waiting[i];
@@ -150,7 +157,7 @@ public final class Recognition {
         waitingSize = 0;
     }
 
-    /** Forgets all. */
+    /** Forgets all structures and all waiting events. */
     void clear() {
         knownSize = 0;
         waitingSize = 0;

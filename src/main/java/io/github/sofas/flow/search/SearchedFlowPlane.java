@@ -6,8 +6,9 @@ import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.LoneEvents;
 
 /**
- * The flow plane, what is kept from it, and the search in it: all that is learnt from the events that no track plane
- * explains. A slice of events at a time, because another thread may do it while those of the next are labelled.
+ * The flow plane, the filters that keep events from it, and the search in it: everything that is learnt from the events
+ * that no track plane explains. Events may come in slices ({@link EventSlice}), because another thread may learn from
+ * one slice while the events of the next are labelled.
  */
 public final class SearchedFlowPlane {
     private final SensorSize sensor;
@@ -19,7 +20,7 @@ public final class SearchedFlowPlane {
     private FlowPlane plane;
     private StructureSearch search;
 
-    /** Makes an empty one, which hands what it finds to others. */
+    /** Creates an empty flow plane, whose search hands the structures that it finds to {@code structures}. */
     public SearchedFlowPlane(SensorSize sensor, SofasParameters.Search p, MetricFit fit, Structures structures) {
         this.sensor = sensor;
         this.fit = fit;
@@ -27,7 +28,7 @@ public final class SearchedFlowPlane {
         make(p, 0);
     }
 
-    /** The most bytes that its arrays take, but for those of its fit. */
+    /** Most bytes of the arrays, except those of the fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
         return LoneEvents.bytes(sensor) + BusyPixels.bytes(sensor) + StructureSearch.mostBytes(sensor, p);
     }
@@ -41,7 +42,7 @@ public final class SearchedFlowPlane {
     }
 
     /**
-     * Takes an event, unless it is explained, and searches as far as is due with it.
+     * Takes an event unless it is explained, and searches as far as is due with this event.
      *
      * @param measuringVotes votes that the measurements of track planes gave so far
      */
@@ -57,7 +58,7 @@ public final class SearchedFlowPlane {
         settle(timeUs);
     }
 
-    /** Lets a structure that is tracked and due look around itself; not while others track it. */
+    /** Lets a tracked structure that is due look around itself. Not to be called while another thread tracks it. */
     public void spread() {
         search.spread();
     }
@@ -94,7 +95,7 @@ public final class SearchedFlowPlane {
         }
     }
 
-    /** Goes on with other parameters; what is held is forgotten where they change what is looked for. */
+    /** Continues with other parameters. All events are forgotten where these change the projections or the lifespan. */
     public void setParameters(SofasParameters.Search next, long measuringVotes) {
         if (next.flowProjections() != p.flowProjections() || next.slowestPxPerS() != p.slowestPxPerS()
                 || next.fastestPxPerS() != p.fastestPxPerS() || next.lifespanUs() != p.lifespanUs()) {
@@ -105,7 +106,7 @@ public final class SearchedFlowPlane {
         }
     }
 
-    /** Metric an event held of each projection, to be shown; 0 where it holds none. */
+    /** Metric per event held of each projection, for display; 0 for a projection that holds no events. */
     public float[] metricsPerEvent() {
         return plane.metricsPerEvent();
     }

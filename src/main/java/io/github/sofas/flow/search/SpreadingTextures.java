@@ -3,26 +3,28 @@ package io.github.sofas.flow.search;
 import java.util.ArrayDeque;
 
 /**
- * Which structures of texture are due to look around themselves again for what moves alike: each once in a few px of
- * travel, at first more often. Ours, because what is found early has not shown all of itself yet, and what enters the
- * picture later is of it too.
+ * Decides which structures of texture are due to look around themselves again for texture that moves alike: each
+ * structure once in a few px of travel, at first more often. Ours, because a structure that is found early has not
+ * shown all of itself yet, and texture that enters the picture later belongs to it, too.
  */
 final class SpreadingTextures {
-    /** Travel between two looks around, in px: of so many first ones, and of those that follow. */
+    /**
+     * Travel between two looks around, in px: for the first looks, the number of these, and for the looks that follow.
+     */
     private static final double FIRST_EVERY_PX = 1;
     private static final int FIRST = 4;
     private static final double EVERY_PX = 2;
-    /** Speed below which a structure stands, and shows nothing around itself, in px/s. */
+    /** Speed in px/s below which a structure stands still, and shows nothing around itself. */
     private static final double LEAST_PX_PER_S = 1;
 
     private final ArrayDeque<Spreading> spreading = new ArrayDeque<>();
-    /** When the next one is due. */
+    /** Time when the next structure is due. */
     private long nextUs = Long.MAX_VALUE;
 
     private static final class Spreading {
         private final Structures.Structure structure;
         private long dueUs;
-        /** Looks that it was to wait for so far. */
+        /** Number of looks for which the structure has waited so far, including the next one. */
         private int waits;
 
         Spreading(Structures.Structure structure) {
@@ -48,7 +50,7 @@ final class SpreadingTextures {
         return nowUs >= nextUs;
     }
 
-    /** The next structure that is due, is tracked yet and moves; null if none is. */
+    /** The next structure that is due, is still tracked and moves; null if there is none. */
     Structures.Structure due(long nowUs) {
         if (!isAnyDue(nowUs)) {
             return null;

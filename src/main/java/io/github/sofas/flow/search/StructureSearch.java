@@ -6,26 +6,29 @@ import io.github.sofas.flow.fit.MetricFit;
 import java.util.Arrays;
 
 /**
- * Finds structures in the flow plane: the best projection, its pieces (paper, section Flow Plane) and the motion of
- * each; a piece that is a structure becomes a track plane. Because several structures may share the best projection
- * roughly, each piece is refined by itself; pieces of one structure are merged by who tracks them.
+ * Finds structures in the flow plane. A look takes the best projection, finds its pieces (paper, section Flow Plane),
+ * and refines the velocity of each piece. A piece that is a structure becomes a track plane, unless it is recognised as
+ * a part of a tracked structure. Each piece is refined by itself, because several structures may roughly share the best
+ * projection. The tracking merges pieces of one structure.
  *
- * <p>Ours: a look takes up to a thousand times as long as labelling an event, and is made in small parts between the
- * events that come in the meantime, so that none of them waits for it.
+ * <p>Ours: a look takes up to a thousand times as long as labelling an event. It is therefore made in small steps
+ * between the events that come in the meantime, so that no event waits for a whole look.
  */
 public final class StructureSearch {
-    /** Unmatched events between two looks, and cells of an accumulator for each where that is more. */
+    /** Unmatched events between two looks, and cells of an accumulator per such event, where these give more events. */
     private static final int EVERY = 32;
     private static final int EVERY_CELLS = 512;
-    /** Standard deviations by which a metric must pass what chance gives. */
+    /** Standard deviations by which a metric must pass that of chance. */
     private static final double CHANCE_SIGMAS = 6;
-    /** Share of its events that a piece must have that were not looked at in vain before, and that no structure has. */
+    /**
+     * Least share of new events in a piece: those that were not looked at in vain before, and that no structure has.
+     */
     private static final double NEWS = 0.1;
     /** Votes of the flow plane, and cells looked through, that cost as much as one vote of a fit. */
     private static final int CHEAP_VOTES = 2;
     private static final int CHEAP_CELLS = 4;
 
-    /** Votes that a look in vain may give for each unmatched event until the next. */
+    /** Votes that a look in vain may have cost per unmatched event until the next look. */
     private static final int VAIN_VOTES = 30;
 
     private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OVER, TAKING_OUT }
@@ -50,7 +53,7 @@ public final class StructureSearch {
     private boolean mayBeSpread;
     private long nextLook;
 
-    // the look that is under way: votes of the search before it, projection, its pieces, the one that is looked at
+    // the look under way: votes of the fit before, its projection, whether a structure was found, and the current piece
     private long votesBefore;
     private int projection;
     private boolean found;
@@ -59,16 +62,16 @@ public final class StructureSearch {
     private int from;
     private int size;
 
-    /** The most bytes that the arrays of a search and of its flow plane take, but for those of its fit. */
+    /** Most bytes of the arrays of a search and of its flow plane, except those of the fit. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
         return FlowPlane.mostBytes(sensor, p) + Pieces.mostBytes(Projections.cells(sensor))
             + Surroundings.bytes(sensor) + Recognition.BYTES;
     }
 
     /**
-     * Makes a search in a flow plane, which hands what it finds to others.
+     * Creates a search in a flow plane, which hands the structures that it finds to {@code structures}.
      *
-     * @param measuringVotes votes that the measurements of track planes gave so far, which it owes nothing for
+     * @param measuringVotes votes that the measurements of track planes gave so far, for which the search owes nothing
      */
     public StructureSearch(FlowPlane plane, SofasParameters.Search p, MetricFit fit, Structures structures,
                            long measuringVotes) {
@@ -89,14 +92,14 @@ public final class StructureSearch {
         takingOver = new TakingOver(plane, fit, structures, taken, budget);
     }
 
-    /** Looks on with other parameters that leave the flow plane as it is. */
+    /** Continues with other parameters, which must leave the flow plane as it is. */
     public void setParameters(SofasParameters.Search next) {
         p = next;
         refinement.setParameters(next);
     }
 
     /**
-     * Looks for structures as far as is due with another event.
+     * Searches for structures as far as is due with another event.
      *
      * @param measuringVotes votes that the measurements of track planes gave so far
      * @param nowUs time of the event
@@ -106,10 +109,10 @@ public final class StructureSearch {
     }
 
     /**
-     * The same.
+     * Searches for structures as {@link #run(long, long)} does.
      *
-     * @param spreads whether structures that are tracked may look around themselves, and be shown their parts; not
-     *     while others track them
+     * @param spreads whether tracked structures may look around themselves, and be shown their parts; false while
+     *     another thread tracks them
      */
     void run(long measuringVotes, long nowUs, boolean spreads) {
         mayBeSpread = spreads;
@@ -126,9 +129,9 @@ public final class StructureSearch {
     }
 
     /**
-     * Lets a structure that is due begin to look around itself, unless a look is under way, and hands to one that is
-     * tracked some of what it has found there. Shows structures the parts that they were recognised by, and looks what
-     * is tracked by now.
+     * Lets a structure that is due begin to look around itself, unless a look is under way, and hands to a tracked
+     * structure some of the events that it found around itself. Shows structures the parts that were recognised as
+     * theirs, and looks anew which structures are tracked.
      */
     void spread() {
         long nowUs = plane.recent().newestUs();
@@ -142,7 +145,7 @@ public final class StructureSearch {
         }
     }
 
-    /** Whether a look is under way or due, and can go on. */
+    /** Whether a look is under way or due, and can continue. */
     private boolean isBusy() {
         if (stage == Stage.IDLE) {
             return plane.total() >= nextLook || mayBeSpread && takingOver.isAnyDue();
@@ -188,8 +191,9 @@ public final class StructureSearch {
     }
 
     /**
-     * The projection whose metric gains most over chance in a time: signed votes at random places give one per event.
-     * Per time, because slow projections hold events longer.
+     * The projection whose metric gains most over chance per unit of time; -1 if none gains enough. By chance, signed
+     * votes at random places give a metric of one per event. The gain counts per time, because slow projections hold
+     * events longer.
      */
     private int best() {
         int best = -1;
@@ -216,7 +220,7 @@ public final class StructureSearch {
         return best;
     }
 
-    /** Goes on to the next piece that may be a structure. */
+    /** Advances to the next piece that may be a structure. */
     private void choose() {
         while (piece < count && !structures.isFull()) {
             piece++;
@@ -233,7 +237,7 @@ public final class StructureSearch {
         finish();
     }
 
-    /** Forgets events of the piece that the flow plane has let go in the meantime. */
+    /** Forgets events of the piece that the flow plane has released in the meantime. */
     private void letGo() {
         while (size > 0 && !events.holds(pieces.events()[from])) {
             from++;
@@ -249,12 +253,15 @@ public final class StructureSearch {
         } else {
             int held = plane.count(projection / n);
             refusedUntil[projection] = total + Math.max(64, held / 16);
-            // the more it cost the longer, but as long as much of what is held is as it was
+            // wait the longer the more the look cost, but only while much of what is held is unchanged
             nextLook = total + Math.max(every, Math.min(held / 8, (fit.votes() - votesBefore) / VAIN_VOTES));
         }
     }
 
-    /** Whether enough of the piece was not looked at in vain before, and is not of another structure by now. */
+    /**
+     * Whether enough events of the piece are new: not looked at in vain before, and not taken by another structure by
+     * now.
+     */
     private boolean isNews() {
         int old = 0;
         for (int a = from; a < from + size; a++) {
@@ -283,7 +290,10 @@ public final class StructureSearch {
         }
     }
 
-    /** Has the piece shown to the structure that it is a part of; else it is a structure of its own. */
+    /**
+     * Gives the piece to the structure of which it is a part; a piece that is no part is tracked as a structure of its
+     * own.
+     */
     private void recognise() {
         if (mayBeSpread) {
             recognition.look(plane.recent().newestUs());
@@ -330,7 +340,7 @@ public final class StructureSearch {
             hand(pieces.events()[a], structure);
         }
         structure.begin(events.timeUs(last));
-        // those that came while it was refined, and would be a structure of their own, unless another has them
+        // also events that came during the refinement: they would be a structure of their own, unless another has them
         for (int e = last + 1; e != events.head(); e++) {
             if (!events.isTakenOut(e) && structure.expects(events.x(e), events.y(e), events.timeUs(e),
                     events.sign(e))) {
@@ -341,7 +351,7 @@ public final class StructureSearch {
         beginToTakeOut();
     }
 
-    /** Lets a structure that is due begin to look around itself; returns whether any does. */
+    /** Lets a structure that is due begin to look around itself; returns whether one does. */
     private boolean spreadsOn() {
         boolean any = takingOver.beginWithDue();
         if (any) {
@@ -350,7 +360,10 @@ public final class StructureSearch {
         return any;
     }
 
-    /** Goes on to hand its surroundings to a structure; to a piece that has none, its own events. */
+    /**
+     * Continues to hand a structure its surroundings. A piece that has none becomes a structure with its own events
+     * alone.
+     */
     private void takeOver() {
         takingOver.goOn(p.minEvents());
         if (!takingOver.isOver()) {
@@ -379,7 +392,7 @@ public final class StructureSearch {
         stage = Stage.TAKING_OUT;
     }
 
-    /** Takes some of the events that a structure has got out of the next ring. */
+    /** Takes some of the events that a structure has received out of the next ring. */
     private void takeOut() {
         budget.spend((long) taken.takeOut() * n / CHEAP_VOTES);
         if (taken.isOver()) {

@@ -7,41 +7,45 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * What moves as a new structure does, all around it: of texture, a search finds a part first, and the rest of it need
- * not be found part by part. From the tiles that the part lies on, each neighbour is asked whether its own events are
- * sharpest near the part's velocity, and if so its neighbours.
+ * Finds the surroundings of a structure that move as the structure does. A search finds one part of a texture first,
+ * and the rest need not be found part by part. Instead, each neighbour of the tiles on which the part lies is asked
+ * whether its own events are sharpest near the part's velocity. If so, its neighbours are asked, too. For a structure
+ * that is already tracked, asking begins with the tiles in and around its box.
  *
- * <p>Ours: a wall before a camera is hundreds of parts, each of which cost a hundred times what asking it does, and
- * were tracked by themselves until they merged. All of it may be a million events: they are gone through a few at a
- * time, so that none of those that come in the meantime waits for it.
+ * <p>Ours: a wall before a camera has hundreds of parts. Finding one costs a hundred times what asking it does, and
+ * each part found is tracked by itself until it merges. The whole wall may have a million events. These are gone
+ * through a few at a time, so that no event that comes in the meantime waits for all of them.
  */
 final class Surroundings {
-    /** Tiles have sides of 2^this px, where the structure is now. */
+    /** Tiles have sides of 2^this px. An event is on the tile where the structure would have it now. */
     private static final int TILE_BITS = 5;
     private static final int SIDE_PX = 1 << TILE_BITS;
-    /** Tiles around the sensor, for what has left it. */
+    /** Tiles beyond each border of the sensor, for what has left it. */
     private static final int BORDER = 1;
     /** Travel over which tiles are asked, in px: as little as shows a velocity. */
     private static final double TRAVEL_PX = 4;
-    /** Events that a tile is asked with. */
+    /** Most events with which a tile is asked. */
     private static final int SAMPLE_EVENTS = 500;
-    /** How far the top of the metric may lie from the velocity, in px at the ends of the window. */
+    /** Largest distance of the top of the metric from the velocity, in px at the ends of the window. */
     private static final double NEAR_PX = 0.7;
-    /** Distance of the projections that look for it, in px at the ends of the window. */
+    /** Distance of the projections that look for the top, in px at the ends of the window. */
     private static final double STEP_PX = 1.5;
 
-    /** Metric per event of a tile at least: events that hardly meet show no velocity. */
+    /** Least metric per event of a tile: events that hardly meet show no velocity. */
     private static final double LEAST_DENSITY = 0.7;
-    /** The same along the structure's motion, less than at the top near it: most tiles are told by this alone. */
+    /**
+     * Least metric per event along the structure's motion, lower than at the top near it. Most tiles are decided by
+     * this alone.
+     */
     private static final double LEAST_DENSITY_HERE = 0.8 * LEAST_DENSITY;
 
     /**
-     * Share of the metric that a shift of both ends of the window by a pixel costs at least: where the top lies farther
-     * away than the projections reach, they are as good as each other.
+     * Least share of the metric that a shift of both ends of the window by one pixel must cost. Where the top lies
+     * beyond the reach of the projections, these are all about equally good.
      */
     private static final double LEAST_SHARPNESS = 0.1;
 
-    /** Events that are gone through at a time, and how many of them cost as much as a vote of a fit. */
+    /** Events that are gone through at a time, and the number of events that cost as much as a vote of a fit. */
     static final int AT_ONCE = 256;
     static final int EVENTS_PER_VOTE = 2;
 
@@ -58,21 +62,21 @@ final class Surroundings {
     private final byte[] state;
     private final int[] starts;
     private final int[] queue;
-    /** Numbers of the recent events by tile, each tile's in order of time. */
+    /** Numbers of the recent events by tile, in order of time within each tile. */
     private final int[] sorted;
-    /** Tile of each recent event, by number modulo their most, when it was counted. */
+    /** Tile of each recent event when it was counted, indexed by event number modulo the capacity. */
     private final short[] tiles;
     private Stage stage = Stage.ASKED;
     private int queued;
-    /** The next event that is gone through, and the next tile of the queue. */
+    /** The next event to go through, and the next tile of the queue. */
     private int next;
     private int asked;
 
-    // the structure: how it moves, and whether it is tracked, or is a new one
+    // the structure: its motion, and whether it is tracked or new
     private final Motion motion = new Motion();
     private boolean isOfTracked;
     private long nowUs;
-    /** The events that it is asked with: from the first to before the last. */
+    /** The events with which tiles are asked: from the first to before the last. */
     private int first;
     private int last;
     private double window;
@@ -99,14 +103,16 @@ final class Surroundings {
             + (1 + 2L * Integer.BYTES) * side(sensor.width()) * side(sensor.height());
     }
 
-    /** Begins with the velocity of a new structure in px/s; places of it are to be added, then to be asked from. */
+    /**
+     * Begins with the velocity of a new structure in px/s. Its places are to be added next; asking begins with these.
+     */
     void begin(double structureVx, double structureVy, long atUs) {
         motion.set(atUs, structureVx, structureVy);
         isOfTracked = false;
         begin(Math.sqrt(structureVx * structureVx + structureVy * structureVy), atUs);
     }
 
-    /** Begins with a structure that is tracked, and moves: with the tiles in its box, and around it. */
+    /** Begins with a tracked structure that moves. Asking begins with the tiles in its box and around it. */
     void begin(Structures.Structure structure, long atUs) {
         structure.copyMotion(motion);
         isOfTracked = true;
@@ -139,7 +145,10 @@ final class Surroundings {
         return (tile / columns - BORDER << TILE_BITS) + SIDE_PX / 2;
     }
 
-    /** Tile that an event lies on as the structure is now, or would if it were of it; -1 far off the sensor. */
+    /**
+     * Tile on which an event lies after moving with the structure until now, as if it were of it; -1 far off the
+     * sensor.
+     */
     private int tile(int x, int y, long timeUs) {
         double dt = (nowUs - timeUs) * 1e-6;
         int column = ((int) (x + motion.vxAt(x, y, timeUs) * dt + (BORDER << TILE_BITS))) >> TILE_BITS;
@@ -159,21 +168,21 @@ final class Surroundings {
         }
     }
 
-    /** Whether the structure is one that is tracked, not a new one. */
+    /** Whether the structure is already tracked, not new. */
     boolean isOfTracked() {
         return isOfTracked;
     }
 
-    /** Whether all tiles are asked that are to be. */
+    /** Whether all tiles have been asked. */
     boolean isAsked() {
         return stage == Stage.ASKED;
     }
 
     /**
-     * Goes on to find the tiles that move alike, around the places or the box: some events, or the next tile.
+     * Continues to find the tiles that move alike, around the places or the box: by some events, or by the next tile.
      *
-     * @param fewest events of a tile that is asked
-     * @return what it cost, in votes
+     * @param fewest least number of events of a tile that is asked
+     * @return the cost in votes
      */
     long ask(int fewest) {
         long before = fit.votes();
@@ -232,7 +241,7 @@ final class Surroundings {
         }
     }
 
-    /** From the last event on, so that each start ends where it belongs. */
+    /** Sorts some events by tile, from the last event backwards, so that each start ends where it belongs. */
     private void sort() {
         for (int end = next - Math.min(AT_ONCE, next - first); next != end; next--) {
             int tile = tiles[next - 1 & tiles.length - 1];
@@ -245,12 +254,12 @@ final class Surroundings {
         }
     }
 
-    /** Tile of an event that no structure has taken, -1 of any other. */
+    /** Tile of an event that no structure has taken; -1 for any other event. */
     private int free(int event) {
         return events.sign(event) == 0 ? -1 : tile(events.x(event), events.y(event), events.timeUs(event));
     }
 
-    /** Whether the events of a tile are sharpest near the velocity. */
+    /** Whether the events of a tile are sharpest near the velocity of the structure. */
     private boolean isAlike(int tile) {
         int from = starts[tile];
         int size = starts[tile + 1] - from;
@@ -263,7 +272,7 @@ final class Surroundings {
         }
         double tileVx = motion.vxAt(centreX(tile), centreY(tile), nowUs);
         double tileVy = motion.vyAt(centreX(tile), centreY(tile), nowUs);
-        // in a sample events meet by so much less
+        // in a sample, events meet less often in proportion
         double ofAll = (double) size / want / want;
         if (fit.metric(tileVx, tileVy) * ofAll < LEAST_DENSITY_HERE || fit.isSharperAtRest(tileVx, tileVy)) {
             return false;
@@ -275,7 +284,7 @@ final class Surroundings {
             && top.bestLoss() * px * px >= LEAST_SHARPNESS * top.metric();
     }
 
-    /** Time from which on events may have been those of the tiles: twice the travel that these were asked over. */
+    /** Time from which on events may belong to the tiles: that of twice the travel over which the tiles were asked. */
     long seenFromUs() {
         return nowUs - (long) (2 * window * 1e6);
     }
@@ -296,15 +305,15 @@ final class Surroundings {
         return tile >= 0 && state[tile] == ALIKE;
     }
 
-    /** Whether all events are handed, also those that came in the meantime. */
+    /** Whether all events have been gone through, including those that came in the meantime. */
     boolean isHanded() {
         return next == events.head();
     }
 
     /**
-     * Goes on to hand the events of the tiles that move alike to a structure, in order of time.
+     * Continues to hand the events of the tiles that move alike to a structure, in order of time.
      *
-     * @return how many events it has gone through
+     * @return the number of events gone through
      */
     int hand(Structures.Structure structure) {
         if (next - events.oldest() < 0) {

@@ -2,7 +2,10 @@ package io.github.sofas.flow.search;
 
 import java.util.Arrays;
 
-/** Events of the flow plane that a structure has got, and that are to be taken out of its rings: some at a time. */
+/**
+ * Events of the flow plane that a structure has received, and that are to be taken out of the rings: some at a time, so
+ * that labelling continues in between.
+ */
 final class TakenEvents {
     private static final int AT_ONCE = VoteBlock.CAPACITY;
 
@@ -10,7 +13,7 @@ final class TakenEvents {
     private final int rings;
     private int[] numbers = new int[4096];
     private int size;
-    /** The ring that they are taken out of, and the place of the next one. */
+    /** The ring from which events are taken out now, and the place of the next event. */
     private int ring;
     private int next;
 
@@ -19,7 +22,7 @@ final class TakenEvents {
         rings = plane.projections().n();
     }
 
-    /** Begins with none. */
+    /** Forgets all events. */
     void clear() {
         size = 0;
         ring = 0;
@@ -38,12 +41,12 @@ final class TakenEvents {
         return size;
     }
 
-    /** Whether all are taken out of all rings. */
+    /** Whether all events are taken out of all rings. */
     boolean isOver() {
         return ring == rings;
     }
 
-    /** Takes some of them out of the next ring; returns how many. */
+    /** Takes some events out of the next ring; returns how many. */
     int takeOut() {
         int end = Math.min(size, next + AT_ONCE);
         int count = end - next;

@@ -3,16 +3,16 @@ package io.github.sofas.flow.search;
 import io.github.sofas.flow.fit.MetricFit;
 
 /**
- * Hands all that moves alike around a structure of texture to it: asks its {@link Surroundings}, hands them over, and
- * finds those events in the flow plane, some at a time. A structure is new, or is tracked and due to look around itself
- * again ({@link SpreadingTextures}).
+ * Hands a structure of texture all events around it that move alike. It asks the {@link Surroundings}, hands their
+ * events over, and finds the same events in the flow plane, some at a time. The structure is new, or is tracked and due
+ * to look around itself again ({@link SpreadingTextures}).
  */
 final class TakingOver {
-    /** Votes that cost as much as handing an event to a structure. */
+    /** Votes that cost as much as going through an event that may be handed to a structure. */
     private static final int HANDED_VOTES = 24;
-    /** Most events that are gone through at once to be handed to a structure which is tracked, between two slices. */
+    /** Most events that are gone through at once, between two slices, for a structure that is tracked. */
     private static final int MOST_SEEN = 4096;
-    /** Votes that an event earns beside those of the search, since labels wait. */
+    /** Votes that each event earns in addition to those of the search, since labels wait. */
     private static final int VOTES_PER_EVENT = 480;
 
     private enum Stage { ASKING, HANDING, GATHERING, OVER }
@@ -26,16 +26,16 @@ final class TakingOver {
     private final SpreadingTextures spreading = new SpreadingTextures();
 
     private Stage stage = Stage.OVER;
-    /** The structure: a new one is made when there is something to be handed to it. */
+    /** The structure. A new one is created only when there is something to hand to it. */
     private Structures.Structure structure;
     private double vx;
     private double vy;
-    /** Whether the structure got what surrounds it. */
+    /** Whether the structure has received its surroundings. */
     private boolean hasHanded;
-    /** The next event of the flow plane that is looked at. */
+    /** The next event of the flow plane to look at. */
     private int gathered;
 
-    /** Makes it for a flow plane; what is handed over is noted as taken. */
+    /** Creates an instance for a flow plane. Events that are handed over are added to {@code taken}. */
     TakingOver(FlowPlane plane, MetricFit fit, Structures structures, TakenEvents taken, VoteBudget budget) {
         this.plane = plane;
         this.structures = structures;
@@ -59,17 +59,17 @@ final class TakingOver {
         stage = Stage.ASKING;
     }
 
-    /** Adds a place of the new structure: that of an event of the flow plane. */
+    /** Adds a place of the new structure, that of an event of the flow plane. */
     void addPlace(int event) {
         surroundings.addPlace(events.x(event), events.y(event), events.timeUs(event));
     }
 
-    /** Whether a structure that is tracked may be due to look around itself. */
+    /** Whether a tracked structure may be due to look around itself. */
     boolean isAnyDue() {
         return spreading.isAnyDue(plane.recent().newestUs());
     }
 
-    /** Begins with a structure that is tracked and due; returns whether there is one. */
+    /** Begins with a tracked structure that is due; returns whether there is one. */
     boolean beginWithDue() {
         structure = spreading.due(plane.recent().newestUs());
         if (structure == null) {
@@ -80,35 +80,35 @@ final class TakingOver {
         return true;
     }
 
-    /** Whether nothing is left to be done. */
+    /** Whether nothing is left to do. */
     boolean isOver() {
         return stage == Stage.OVER;
     }
 
-    /** Whether the structure got anything. */
+    /** Whether the structure has received anything. */
     boolean hasHanded() {
         return hasHanded;
     }
 
-    /** Whether the structure was tracked before. */
+    /** Whether the structure was tracked before, and is not new. */
     boolean isOfTracked() {
         return surroundings.isOfTracked();
     }
 
-    /** Whether it goes on only while nobody else works with the structure. */
+    /** Whether the next step has to wait until no other thread works with the structure. */
     boolean waits() {
         return stage == Stage.HANDING && isOfTracked();
     }
 
-    /** Earns votes with another event. */
+    /** Earns the additional votes of another event. */
     void earn() {
         budget.earnMore(VOTES_PER_EVENT);
     }
 
     /**
-     * Goes on by a step.
+     * Makes the next step.
      *
-     * @param fewest events of a tile that is asked
+     * @param fewest least number of events of a tile that is asked
      */
     void goOn(int fewest) {
         switch (stage) {
@@ -125,7 +125,7 @@ final class TakingOver {
         }
     }
 
-    /** Hands some to a structure that is tracked. */
+    /** Hands some events to a structure that is tracked. */
     void handToTracked() {
         for (int seen = 0; seen < MOST_SEEN && waits();) {
             seen += hand();
@@ -144,7 +144,7 @@ final class TakingOver {
         }
     }
 
-    /** Hands some events over; returns how many it has gone through. */
+    /** Hands some events over; returns the number of events gone through. */
     private int hand() {
         if (isOfTracked() && !structure.isTracked()) {
             stage = Stage.OVER;
@@ -158,7 +158,7 @@ final class TakingOver {
     }
 
     private void endHanding() {
-        // fewer may be allowed by now
+        // there may be less room for structures by now
         hasHanded = isOfTracked() || !structures.isFull();
         stage = hasHanded ? Stage.GATHERING : Stage.OVER;
         gathered = events.first(surroundings.seenFromUs());
@@ -169,7 +169,7 @@ final class TakingOver {
         }
     }
 
-    /** Looks through some of the flow plane's events for what was handed over. */
+    /** Looks through some of the flow plane's events for those that were handed over. */
     private void gather() {
         gathered = events.holds(gathered) ? gathered : events.oldest();
         int end = gathered + Math.min(Surroundings.AT_ONCE, events.head() - gathered);
@@ -185,7 +185,7 @@ final class TakingOver {
         }
     }
 
-    /** Forgets what is under way, and all structures. */
+    /** Forgets the work under way, and all structures. */
     void clear() {
         stage = Stage.OVER;
         spreading.clear();

@@ -4,10 +4,11 @@ package io.github.sofas.flow.search;
  * Events that vote together in projections of the flow plane, one projection after the other, so that an accumulator
  * stays in the first-level cache.
  *
- * <p>An accumulator is a torus whose width and height are 2^32 units of position each: an {@code int} wraps as the
+ * <p>An accumulator is a torus whose width and height are 2^32 units of position each. An {@code int} wraps as the
  * torus does, and projecting a block is plain {@code int} arithmetic, which the compiler vectorises. ON events lie at
- * the front and OFF events at the back: all that vote in one loop have the same weight, which takes a quarter less time
- * than looking each one's up. The order of votes makes no difference to the metric.
+ * the front of the arrays and OFF events at the back, so that all events of one loop vote with the same weight. This
+ * takes a quarter less time than looking up the weight of each event. The order of votes makes no difference to the
+ * metric.
  */
 final class VoteBlock {
     /** Most events of a block. */
@@ -20,17 +21,17 @@ final class VoteBlock {
     private final long[] timeUs = new long[CAPACITY];
     private final int[] ticks = new int[CAPACITY];
     private final int[] cells = new int[CAPACITY];
-    /** How many ON events there are, and where the OFF events begin. */
+    /** Number of ON events, and place where the OFF events begin. */
     private int on;
     private int off = CAPACITY;
 
-    /** Makes a block for accumulators of 2^columnBits by 2^rowBits cells, each of 2 x 2 px. */
+    /** Creates a block for accumulators of 2^columnBits by 2^rowBits cells, each of 2 x 2 px. */
     VoteBlock(int columnBits, int rowBits) {
         this.columnBits = columnBits;
         this.rowBits = rowBits;
     }
 
-    /** Units of position a pixel, where the accumulator has 2^bits cells along an axis. */
+    /** Units of position per pixel, where the accumulator has 2^bits cells along an axis. */
     static int unitsPerPx(int bits) {
         return 1 << Integer.SIZE - 1 - bits;
     }
@@ -56,7 +57,7 @@ final class VoteBlock {
         timeUs[i] = eventUs;
     }
 
-    /** Measures the time of the events in ticks of 2^bits µs. */
+    /** Converts the times of the events to ticks of 2^bits µs. */
     void tick(int bits) {
         tick(bits, 0, on);
         tick(bits, off, CAPACITY);
@@ -71,15 +72,15 @@ final class VoteBlock {
     /**
      * Adds the events to the accumulator of a projection, or takes them out again with weight -1.
      *
-     * @param vx velocity in units a tick
+     * @param vx velocity in units per tick
      * @param vy the same, downwards
-     * @return the change of the metric, 2 w f + w² an event
+     * @return the change of the metric, 2 w f + w² per event
      */
     int vote(short[] accumulator, int vx, int vy, int weight) {
         project(vx, vy, 0, on);
         project(vx, vy, off, CAPACITY);
         int change = 2 * weight * (add(accumulator, 0, on, weight) - add(accumulator, off, CAPACITY, -weight));
-        // an event taken out changes the metric by -2 w f + w² of what it added: the same expression with -w
+        // taking out an event that added w changes the metric by -2 w f + w²: the same expression with -w
         return size() + change;
     }
 
@@ -96,7 +97,7 @@ final class VoteBlock {
         }
     }
 
-    /** Adds w to the cells, and returns the sum of what was there before. */
+    /** Adds w to the cells, and returns the sum of their counts before. */
     private int add(short[] accumulator, int from, int to, int w) {
         int[] c = cells;
         int sum = 0;

@@ -1,32 +1,32 @@
 package io.github.sofas.flow.search;
 
 /**
- * How many votes the search may give: a number for each event that is labelled, less those of the track planes'
- * measurements, which cannot wait, so that a thousand events that need much of both take no longer than others; and a
- * number for each µs between events, because where few come there is time. By the events' own times, not by the clock,
- * so that results do not depend on the machine.
+ * The number of votes that the search may give. Each labelled event earns a number of votes, less those of the track
+ * planes' measurements, which cannot wait: a thousand events that need many votes of both kinds take no longer than
+ * others. Each µs between events earns more, because there is time where few events come. The times are those of the
+ * events, not of a clock, so that results do not depend on the machine.
  */
 final class VoteBudget {
     /** Votes of measurements and search together for each event. */
     private static final int VOTES_PER_EVENT = 120;
-    /** What is left to the search at least: many structures must not keep others from being found. */
+    /** Least votes per event for the search: many tracked structures must not keep others from being found. */
     private static final int LEAST_PER_EVENT = 80;
-    /** Votes for each µs that passes until the next event: of what a processor gives in that, about a fifth. */
+    /** Votes per µs until the next event: about a fifth of what a processor gives in that time. */
     private static final long VOTES_PER_US = 100;
     /** Longest time between two events that counts, in µs. */
     private static final long MOST_US = 100;
-    /** Most votes that are saved up, and that are owed for measurements. */
+    /** Most votes that are saved up, and most that are owed for measurements. */
     private static final long MOST_SAVED = 40_000;
     private static final long MOST_OWED = 100_000;
 
-    /** Votes of measurements that are known of. */
+    /** Votes of measurements counted so far. */
     private long measured;
     /** Time of the last event, 0 before the first. */
     private long earnedUs;
     private long saved;
     private long owed;
 
-    /** Begins with nothing saved and nothing owed after so many votes of measurements. */
+    /** Begins with nothing saved and nothing owed, after a given number of votes of measurements. */
     VoteBudget(long measuringVotes) {
         measured = measuringVotes;
     }
@@ -52,12 +52,12 @@ final class VoteBudget {
         saved = Math.min(MOST_SAVED, saved + votes);
     }
 
-    /** Gives votes; the last ones may be more than are left, for the events that follow to pay. */
+    /** Spends votes. The last ones may be more than are left; the events that follow pay for them. */
     void spend(long votes) {
         saved -= votes;
     }
 
-    /** Lets go what is saved: work that may be long begins, and no event is to wait for much of it at once. */
+    /** Drops the saved votes: work that may be long begins, and no event is to wait for much of it at once. */
     void letGo() {
         saved = Math.min(saved, 0);
     }

@@ -9,19 +9,22 @@ import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.List;
 
 /**
- * Measures the motion of a segment that turns or grows from its events on both sides. The engine takes small rotations
- * and growths for noise and follows them with a lag, because it knows one side only; its velocities, known better, are
- * right in the middle of their windows.
+ * Measures the motion of a segment that turns or grows, from its events on both sides of a time. The engine knows one
+ * side only, so that it takes small rotations and growths for noise and follows them with a lag. Its velocities are
+ * known better, and are right in the middle of their windows.
  */
 final class CentredFit {
-    /** Most events that are wanted; twice as many fit. */
+    /** Most events that are wanted for a measurement; there is room for twice as many. */
     private static final int WANTED = 4000;
     private static final int LEAST = 30;
     private static final int MOST_ON_BOTH = 1900;
     private static final int ROUNDS = 2;
-    /** Events are projected to be measured in steps of this part of a pixel. */
+    /** Step, in px, by which events are projected for a measurement. */
     private static final double STEP_PX = 1.0 / 64;
-    /** Parts of the window, and those that many events are measured in: events that follow at once show no velocity. */
+    /**
+     * Parts of the window, and, as bits, those measured where events are many: events that follow at once show no
+     * velocity.
+     */
     private static final int PARTS = 8;
     private static final int MEASURED_PARTS = 0b10100101;
 
@@ -40,7 +43,7 @@ final class CentredFit {
         step = new CentredStep(p);
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return MetricFit.bytes(sensor.width(), sensor.height(), MetricFit.CELL_PX, 2 * WANTED);
     }
@@ -48,10 +51,10 @@ final class CentredFit {
     /**
      * Measures the motion of a path at a time.
      *
-     * @param slices those around it, in order
+     * @param slices the slices around that time, in order
      * @param sideUs half the window in µs
-     * @param leastEvents fewest events to measure it from, where that is more than it always needs
-     * @return the motion, until the next question; null where there are too few events
+     * @param leastEvents fewest events to measure from, if that is more than the fewest that any measurement needs
+     * @return the motion, valid until the next call; null where there are too few events
      */
     Motion measure(SegmentPath path, List<Slice> slices, long us, long sideUs, int leastEvents) {
         path.bending(us, Math.max(1, sideUs / 2), motion);
@@ -70,7 +73,10 @@ final class CentredFit {
         return motion;
     }
 
-    /** Number of the segment's events in the window; puts the centre in their middle. */
+    /**
+     * Counts the segment's events in the window, moves the centre of the motion to their middle, and finds their
+     * radius.
+     */
     private int lookAt(SegmentPath path, List<Slice> slices, long us, long sideUs) {
         int n = 0;
         double sumX = 0;
@@ -97,7 +103,7 @@ final class CentredFit {
     private void load(SegmentPath path, List<Slice> slices, long us, long sideUs, int events) {
         fit.clear();
         boolean many = events > WANTED;
-        // a half of the window, and of that as many squares as have the events that are wanted
+        // half of the window, and there the share of squares that holds as many events as are wanted
         long share = Squares.share(events, 2 * WANTED);
         projection.begin(motion, sideUs, 2 * radius, STEP_PX);
         cursor.begin(slices, path.id(), us - sideUs + 1, us + sideUs);

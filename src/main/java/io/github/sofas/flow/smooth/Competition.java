@@ -8,45 +8,45 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Decides whose the events of a slice are, where that is open: each goes to the segment along whose motion its edge
- * came and went. A segment's claim is the number of parts of its travel, {@value #SIDE_PARTS} on either side, in which
- * there was an event of the same polarity within a pixel of where the motion puts the edge; those in which it was on
- * the very pixel count more. Before a recording began and after it ended nothing can be seen: a claim there counts for
- * as much as the rest of the travel would add, as far as a few px of it show. What no segment claims is noise.
+ * Decides to which segment each open event of a slice belongs: the one along whose motion its edge came and went. The
+ * travel on either side of an event has {@value #SIDE_PARTS} parts. A segment's claim is the number of parts with an
+ * event of the same polarity within a pixel of where the motion puts the edge; an event on that very pixel counts more.
+ * Nothing can be seen before a recording began and after it ended. A claim there counts for as much as the rest of the
+ * travel would add, as long as a few px of travel show. An event that no segment claims is noise.
  *
- * <p>Longer than other classes, because which events are open, who may claim them and how a claim is counted use the
- * same tables of the slice, which are filled once for all of them.
+ * <p>This class is longer than others, because three questions use the same tables of the slice, which are filled once:
+ * which events are open, which segments may claim them, and how a claim is counted.
  */
 final class Competition {
-    /** Travel that is looked at on either side of an event, in px, and parts that it is looked at in. */
+    /** Travel on either side of an event that is looked at, in px, and the number of its parts. */
     static final double TRACE_PX = 11;
     static final int SIDE_PARTS = 8;
-    /** Parts of the travel that are decided at once, along one motion. */
+    /** Parts of the travel whose events are decided at once, along one motion. */
     private static final double BLOCK_PARTS = 4;
-    /** Claim that an event needs to belong to a segment. */
+    /** Least claim by which an event without a segment goes to one. */
     private static final double LEAST = 7;
-    /** The same of one that the engine gave to a segment. */
+    /** The same for an event that the engine gave to a segment. */
     private static final double LEAST_LABELLED = 5.4;
     /**
-     * Standard deviations by which a claim must pass that of noise, where that is more; and that of the segment which
-     * the engine gave the event to.
+     * Standard deviations by which a claim must exceed that of noise, where this asks for more; and the same for the
+     * claim of the segment that the engine gave the event to.
      */
     private static final double NOISE_SIGMAS = 4;
     private static final double LABELLED_SIGMAS = 2.5;
-    /** More than any claim. */
+    /** Greater than any claim. */
     private static final double MOST = 8 * SIDE_PARTS;
-    /** What the label that it has adds to a claim. */
+    /** Added to the claim of the segment that has the event already. */
     private static final double PRIOR = 2.7;
-    /** What events count for that have no label yet, and those of another segment. */
+    /** Weights, in a claim, of events without a label, and of events with the label of another segment. */
     private static final double NOBODYS = 0.7;
     private static final double OTHERS = 0.45;
-    /** The most that a claim is raised by where the recording does not reach as far as it is looked at. */
+    /** Greatest factor by which a claim is raised where the recording does not cover all of the travel. */
     private static final double MOST_RAISED = 2.75;
     /** Travel during the look-ahead below which a segment's past and future do not show, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
-    /** Room around a segment's box in px. */
+    /** Margin around a segment's box in px. */
     private static final int MARGIN_PX = 8;
-    /** Steps of the projection a part. */
+    /** Steps of the projection per part. */
     private static final int STEPS = 4;
     private static final int MOST_STEPS = (TraceMap.PARTS + 1) * STEPS;
 
@@ -57,22 +57,24 @@ final class Competition {
     private final Labels labels;
     private final TraceMap map;
     private final PathProjection projection = new PathProjection();
-    /** Where the box is on the sensor during a slice. */
+    /** The box as it lies on the sensor during a slice. */
     private final Bounds onSensor = new Bounds();
     private final Motion motion = new Motion();
-    // of the events of the slice
+    // per event of the slice
     private double[] claim = new double[1024];
     private int[] winner = new int[1024];
-    /** Times of the first and the last event of the recording; the least and the greatest where not known. */
+    /**
+     * Times of the first and the last event of the recording; the least and the greatest long where they are not known.
+     */
     private long beginUs;
     private long endUs;
-    /** The label of the segment that claims. */
+    /** The label of the segment that is claiming. */
     private int ownLabel;
-    // of the block that is looked at
+    // of the present block
     private long fromUs;
-    /** The parts of its time that the recording has. */
+    /** The parts of the block's time that the recording covers, as bits. */
     private long recorded;
-    /** Claims that noise seldom has there; of the segment that the engine gave an event to. */
+    /** Claims that noise seldom reaches there; the second one for the segment that the engine gave an event to. */
     private double least;
     private double leastLabelled;
     private double left;
@@ -86,7 +88,7 @@ final class Competition {
         map = new TraceMap(sensor);
     }
 
-    /** The most bytes that its arrays take, with that many events of a slice. */
+    /** Most bytes that its arrays take if a slice has so many events. */
     static long mostBytes(SensorSize sensor, int mostEvents) {
         return TraceMap.bytes(sensor) + 2L * mostEvents * (Double.BYTES + Integer.BYTES);
     }
@@ -94,9 +96,9 @@ final class Competition {
     /**
      * Labels the open events of a slice anew.
      *
-     * @param slices those around it, in order
+     * @param slices the slices around it, in order
      * @param index of the slice among them
-     * @param paths of the segments that may have events in it
+     * @param paths of the segments that may have events in the slice
      * @param sideUs most time that is looked at on either side
      * @param isComplete whether no events follow those of the slices
      */
@@ -169,7 +171,10 @@ final class Competition {
         }
     }
 
-    /** Where the segment may be during the slice: where it was in the nearest one that has events of it, moved. */
+    /**
+     * Finds the box where the segment may be during the slice: its box in the nearest slice with events of it, moved
+     * along.
+     */
     private boolean findBox(SegmentPath path, List<Slice> slices, int index) {
         PixelBox box = null;
         Slice nearest = null;
@@ -196,7 +201,7 @@ final class Competition {
         return true;
     }
 
-    /** Narrows the box to the open tiles in it; false where there are none. */
+    /** Narrows the box to its open tiles; false if it has none. */
     private boolean hasOpen(Slice slice) {
         int firstColumn = tile(left, slice.columns());
         int lastColumn = tile(right, slice.columns());
@@ -248,13 +253,15 @@ final class Competition {
         ask(path, slices.get(index), a, b, shows);
     }
 
-    /** Part of the block's time that a time is in, or the nearest one. */
+    /** Part of the block's time that contains a time, or the nearest part. */
     private int part(long us) {
         long lastUs = fromUs + projection.lastUs();
         return projection.step(Math.max(fromUs, Math.min(us, lastUs)) - fromUs) / STEPS;
     }
 
-    /** Adds the events of a slice to the map that fall in the box, and may meet open ones of another. */
+    /**
+     * Adds to the map the events of a slice that fall in the box and may meet open events of the slice that is decided.
+     */
     private void add(Slice slice, Slice asked, long untilUs) {
         int first = projection.step(Math.max(0, slice.fromUs - fromUs));
         int last = projection.step(Math.min(untilUs, slice.untilUs) - fromUs);
@@ -308,7 +315,7 @@ final class Competition {
         }
     }
 
-    /** Asks the map about the open events of a block. */
+    /** Looks up the claims to the open events of a block in the map. */
     private void ask(SegmentPath path, Slice slice, long a, long b, boolean shows) {
         for (int row = tile(top, slice.rows()); row <= tile(bottom, slice.rows()); row++) {
             for (int column = tile(left, slice.columns()); column <= tile(right, slice.columns()); column++) {
@@ -353,7 +360,7 @@ final class Competition {
         }
     }
 
-    /** What a claim is raised by that so many parts of the travel can show. */
+    /** Factor by which a claim is raised when only so many parts of the travel can show. */
     private static double raised(int parts) {
         return Math.min(MOST_RAISED, 2.0 * SIDE_PARTS / Math.max(1, parts));
     }

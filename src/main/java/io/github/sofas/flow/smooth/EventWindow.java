@@ -3,20 +3,20 @@ package io.github.sofas.flow.smooth;
 import java.util.Arrays;
 
 /**
- * The events that are seen from both sides, with their labels, in a ring in order of time. Events are numbered from the
- * first one on; event i is entry {@link #at} of the arrays.
+ * The events that are looked at from both sides, with their labels: a ring in order of time. Events are numbered from
+ * the first one of the recording on; event i is entry {@link #at} of the arrays.
  */
 final class EventWindow {
     private static final int FIRST_CAPACITY = 1 << 14;
 
     /** Time in µs, never falling. */
     long[] timeUs = new long[FIRST_CAPACITY];
-    /** Time as it was handed in, which may step back. */
+    /** Time as it was handed in; may step back. */
     long[] givenUs = new long[FIRST_CAPACITY];
     short[] x = new short[FIRST_CAPACITY];
     short[] y = new short[FIRST_CAPACITY];
     byte[] polarity = new byte[FIRST_CAPACITY];
-    /** Id of the path of its segment; 0 where it has none. */
+    /** Id of the path of the event's segment; 0 for none. */
     int[] segment = new int[FIRST_CAPACITY];
     /** The label of that path; 0 for none. */
     int[] label = new int[FIRST_CAPACITY];
@@ -26,7 +26,7 @@ final class EventWindow {
     private long first;
     private long end;
 
-    /** The most bytes that its arrays take, with that many events at most. */
+    /** Most bytes that its arrays take if it holds at most so many events. */
     static long mostBytes(int mostEvents) {
         long capacity = Integer.highestOneBit(Math.max(FIRST_CAPACITY, mostEvents) - 1) * 2L;
         return capacity * (2 * Long.BYTES + 2 * Short.BYTES + Byte.BYTES + 2 * Integer.BYTES + 2 * Float.BYTES);
@@ -42,12 +42,12 @@ final class EventWindow {
         return first;
     }
 
-    /** Number after that of the newest event. */
+    /** One more than the number of the newest event. */
     long end() {
         return end;
     }
 
-    /** Appends an event, whose label is to be set. */
+    /** Appends an event, and returns its entry; the caller sets its label. */
     int add(long eventUs, long eventGivenUs, int eventX, int eventY, int eventPolarity) {
         if (end - first == timeUs.length) {
             grow();
@@ -61,7 +61,7 @@ final class EventWindow {
         return k;
     }
 
-    /** Gives an entry to a path, whose label is another or the same. */
+    /** Assigns an entry to a path, with the label of that path. */
     void give(int k, int path, int pathLabel) {
         segment[k] = path;
         label[k] = pathLabel;
@@ -70,7 +70,8 @@ final class EventWindow {
     private void grow() {
         int n = timeUs.length;
         int head = (int) first & n - 1;
-        // in a ring of twice the length those that wrapped round lie behind the others, or the others behind them
+        // in a ring of twice the length, the entries that had wrapped round move behind the others, or the others
+        // behind them
         boolean wrapsLater = at(first, 2 * n) == head;
         int from = wrapsLater ? 0 : head;
         int count = wrapsLater ? head : n - head;
@@ -92,7 +93,7 @@ final class EventWindow {
         return (int) i & length - 1;
     }
 
-    /** Writes another id where there is one, in the segments or labels of the events from a number on. */
+    /** Replaces an id by another in the segments or the labels of the events from a number on. */
     void replace(int[] ids, long fromEvent, int id, int by) {
         for (long i = Math.max(first, fromEvent); i < end; i++) {
             int k = at(i);
@@ -102,12 +103,12 @@ final class EventWindow {
         }
     }
 
-    /** Lets the events before a number go. */
+    /** Drops the events before a number. */
     void forget(long before) {
         first = Math.max(first, before);
     }
 
-    /** Forgets all events, and begins to number them anew. */
+    /** Forgets all events, and numbers them from 0 again. */
     void clear() {
         first = 0;
         end = 0;

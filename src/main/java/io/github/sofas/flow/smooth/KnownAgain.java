@@ -7,26 +7,30 @@ import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.List;
 
 /**
- * Tells whether a segment that began is one that was lost before: what turns round or pauses is lost where it stands,
- * and found again with another velocity. It is the same where what was lost has few events since, the other began about
- * where its motion leads to, and the contours of both agree when they are laid on one another.
+ * Recognises lost segments: a structure that turns round or pauses is lost where it stands, and the engine finds it
+ * again as another segment with another velocity. The two are the same on three conditions. The lost one has had few
+ * events since, the other began about where the motion of the lost one leads, and their contours agree when laid on one
+ * another.
  */
 final class KnownAgain {
     /** Travel over which a contour is drawn, in px. */
     private static final double DRAWN_PX = 8;
-    /** Least events of a contour. */
+    /** Fewest events of a contour. */
     private static final int LEAST = 30;
-    /** Share of the events of either contour that must lie within a px of the other one. */
+    /** Share of the events of either contour that must lie within a px of the other contour. */
     private static final double LEAST_AGREEMENT = 0.65;
-    /** Events of a slice, as a share of the most, with which a segment is not lost yet. */
+    /** Events of a segment in a slice, as a share of its most in any slice so far, above which it is not lost yet. */
     private static final double STRONG = 1.0 / 3;
-    /** Events that a lost segment may still get, as a share of those of the other. */
+    /** Events that a lost segment may still get, as a share of those of the segment that began. */
     private static final double LEFT = 0.5;
     /** Slowest motion that contours are drawn along, in px/s. */
     private static final double SLOWEST_PX_PER_S = 1;
-    /** How far from where it is expected a segment may begin, in px, besides the way that it may have gone else. */
+    /**
+     * Distance in px from the expected place within which a segment may begin, besides the way it may have gone in
+     * between.
+     */
     private static final double ROOM_PX = 3;
-    /** Part of a px that a step of the projection may take. */
+    /** Part of a px that one step of the projection may take. */
     private static final double STEP_PX = 0.25;
 
     private final EventWindow window;
@@ -37,7 +41,7 @@ final class KnownAgain {
     private final Motion along = new Motion();
     private final Motion last = new Motion();
     private final Motion first = new Motion();
-    /** Until when the one that was lost was seen well. */
+    /** Time until which the lost segment was seen well. */
     private long seenUs;
 
     KnownAgain(SensorSize sensor, EventWindow window) {
@@ -48,10 +52,10 @@ final class KnownAgain {
     }
 
     /**
-     * The one among those that were lost that a segment is.
+     * Finds the lost segment that a segment continues.
      *
-     * @param slices those of the segments' last events, in order
-     * @return its path; null where there is none
+     * @param slices slices with the last events of the segments, in order
+     * @return the path of the lost segment; null where there is none
      */
     SegmentPath find(SegmentPath begun, Iterable<SegmentPath> paths, List<Slice> slices) {
         boolean isDrawn = false;
@@ -86,7 +90,9 @@ final class KnownAgain {
         return best;
     }
 
-    /** Whether there is a contour of another from before a segment began; notes until when that was seen well. */
+    /**
+     * Whether another segment has a contour from before this one began; notes until when that contour was seen well.
+     */
     private boolean wasSeenBefore(SegmentPath lost, SegmentPath begun, List<Slice> slices) {
         if (lost == begun || !lost.isMeasured() || lost.hasEnded()
                 || lost.first().referenceUs >= begun.first().referenceUs) {
@@ -105,7 +111,7 @@ final class KnownAgain {
         return most >= LEAST;
     }
 
-    /** Events of a segment from a time on. */
+    /** Number of events of a segment from a time on. */
     private int events(SegmentPath path, long fromUs, List<Slice> slices) {
         int events = 0;
         cursor.begin(slices, path.id(), fromUs, Long.MAX_VALUE);
@@ -115,7 +121,9 @@ final class KnownAgain {
         return events;
     }
 
-    /** Whether the lost one was, or would be, about where the other began, however its motion changed meanwhile. */
+    /**
+     * Whether the lost segment was, or would be, about where the other began, however its motion changed in between.
+     */
     private boolean leadsThere(SegmentPath begun) {
         double gap = (begun.firstSeenUs() - seenUs) * 1e-6;
         double x = begunPicture.middleX() - lostPicture.middleX() - 0.5 * gap * (last.vx + first.vx);
@@ -125,7 +133,7 @@ final class KnownAgain {
         return Math.hypot(x, y) < way + thickness / 2 + ROOM_PX;
     }
 
-    /** Draws where the events of a segment lay that are after a time, or before it, moved to that time. */
+    /** Draws the events of a segment after a time, or before it, moved to that time. */
     private void draw(SegmentPath path, Motion at, int side, List<Slice> slices, Picture picture) {
         picture.clear();
         long us = at.referenceUs;

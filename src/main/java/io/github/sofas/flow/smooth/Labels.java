@@ -6,22 +6,23 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which segments proved to be one. A segment that is another known again has the path of that one; pieces of a body
- * that merge later have one label, but paths of their own, because a piece's motion is that of the body only where the
- * piece is. Most segments have their own of both.
+ * Records which segments of the engine proved to be one, by giving each segment a path and a label. Where a lost
+ * segment is recognised in a new one, the new one gets the path of the lost one. Pieces of a body that merge later
+ * share one label but keep their own paths, because the motion of a piece is that of the body only where the piece is.
+ * Most segments have a path and a label of their own.
  */
 final class Labels {
     private final Map<Integer, Integer> paths = new HashMap<>();
     private final Map<Integer, Integer> labels = new HashMap<>();
-    /** Segments of the engine that were known again in another one, and live on as what is left of them. */
+    /** Engine segments that were recognised in another one and still live: each is the remnant of a lost segment. */
     private final Set<Integer> left = new HashSet<>();
-    /** Those of them that are all of it again. */
+    /** Former remnants that are all of their segment again. */
     private final Set<Integer> resumed = new HashSet<>();
     /** Paths of pieces that merged into a body. */
     private final Set<Integer> merged = new HashSet<>();
     /** Segments that the engine ended. */
     private final Set<Integer> ended = new HashSet<>();
-    /** The label that each goes on as that has ended. */
+    /** For each label that has ended, the label that it continues as. */
     private final Map<Integer, Integer> ends = new HashMap<>();
     /** Labels that events got for good. */
     private final Set<Integer> given = new HashSet<>();
@@ -49,38 +50,38 @@ final class Labels {
         return in(labels, path);
     }
 
-    /** Gives all that have a label another one. */
+    /** Gives another label to all that have a given one. */
     void join(int from, int to) {
         join(labels, from, to);
         ends.replaceAll((label, other) -> other == from ? to : other);
     }
 
-    /** Ends a label, of which another is told to be what it became. */
+    /** Ends a label, and notes the label that it is reported to have become. */
     void end(int label, int into) {
         ends.put(label, into);
     }
 
-    /** What a label that has ended became. */
+    /** The label that an ended label became. */
     int endOf(int label) {
         return in(ends, label);
     }
 
     /**
-     * Notes that a piece merged into a body; false where it merged before: what a piece was known again in may merge,
-     * and what is left of the piece merge into another body, but these two are not one by that.
+     * Notes that a piece merged into a body; false if it merged before. The segment in which a piece was recognised may
+     * merge into one body, and the remnant of the piece into another: that does not make the two bodies one.
      */
     boolean mergeOnce(int path) {
         return merged.add(path);
     }
 
-    /** Lets the path of a piece go that no event has any more. */
+    /** Forgets the path of a piece that no event has any more. */
     void forgetPiece(int path) {
         labels.remove(path);
         merged.remove(path);
         ended.remove(path);
     }
 
-    /** Gives all that have a path another one; their label stays. */
+    /** Gives another path to all that have a given one; their label stays. */
     void joinPaths(int from, int to) {
         leave(to);
         paths.forEach((segment, path) -> {
@@ -99,9 +100,9 @@ final class Labels {
     }
 
     /**
-     * Notes that the engine ended a segment; false where it was what is left of one that was known again. What is left
-     * of one that was known again in this is all of it from now on, the newest where there are several: it may get the
-     * body's events again, and its motion would not be known.
+     * Notes that the engine ended a segment; false if the segment was the remnant of one recognised in another. If a
+     * lost segment was recognised in the ended one, its remnant is all of it from now on; of several, the newest. The
+     * remnant may get the body's events again, and its motion would not be known otherwise.
      */
     boolean endSegment(int segment) {
         if (left.remove(segment)) {
@@ -119,19 +120,19 @@ final class Labels {
         return true;
     }
 
-    /** Whether a segment was known again in another one, which has its path now. */
+    /** Whether a segment was recognised in another one, which has its path now. */
     boolean isLeft(int segment) {
         return left.contains(segment);
     }
 
-    /** Notes that what was left of a segment is all of it again; of one of which nothing is left, nothing. */
+    /** Notes that the remnant of a segment is all of it again; does nothing if the segment has no remnant. */
     void resume(int segment) {
         if (left.remove(segment)) {
             resumed.add(segment);
         }
     }
 
-    /** Whether what was left of a segment is all of what has a path, and may get events on it. */
+    /** Whether a former remnant is all that has a path, and may get events on it. */
     boolean isResumed(int path) {
         for (int segment : resumed) {
             if (path(segment) == path) {
@@ -151,7 +152,7 @@ final class Labels {
         return given.contains(label);
     }
 
-    /** Lets a label go that no event gets any more. */
+    /** Forgets a label that no event gets any more. */
     void forget(int label) {
         ended.removeIf(segment -> ofPath(path(segment)) == label);
         resumed.removeIf(segment -> ofPath(path(segment)) == label);

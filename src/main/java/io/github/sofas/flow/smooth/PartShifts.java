@@ -5,25 +5,28 @@ import io.github.sofas.flow.fit.MetricFit;
 import java.util.Arrays;
 
 /**
- * How far each of several parts of the time, one after the other, is to be shifted, in px: where what pulls at the
- * parts balances what it costs that the shifts change from part to part, and that their change changes. A part that
- * nothing pulls at goes with its neighbours, and a direction that hardly any part shows is left as it is.
+ * Finds how far, in px, to shift each of several successive parts of the time. The pulls on the parts are balanced
+ * against two costs: that the shifts change from part to part, and that their change changes. A part without a pull
+ * follows its neighbours. A direction that hardly any part shows is left as it is.
  */
 final class PartShifts {
-    /** Cost of a change of the shifts by 1 px from a part to the next, in mean curvatures of the pulls. */
+    /**
+     * Cost of a change of the shifts by 1 px from one part to the next, as a multiple of the mean curvature of the
+     * pulls.
+     */
     private static final double CHANGE_COST = 1;
-    /** The same of a change of their change. */
+    /** The same for a change of that change. */
     private static final double BEND_COST = 0.5;
-    /** The same of a shift itself: those that are the same for all parts change nothing. */
+    /** The same for a shift itself: shifts that are the same for all parts change nothing. */
     private static final double SHIFT_COST = 1e-3;
-    /** Curvature across the axis that is curved most, as a share of that, at which it counts half. */
+    /** Curvature across the axis of greatest curvature, as a share of the greatest, at which it counts half. */
     private static final double FLAT = 0.5;
     private static final int[] CHANGE = {1, -1};
     private static final int[] BEND = {1, -2, 1};
 
     private final int parts;
     private final double[] shifts;
-    /** Its unknowns are x and y of each part in turn. */
+    /** Its unknowns are x and y of each part, part by part. */
     private final LinearSystem balance;
     private final double[] right;
     private double curvatures;
@@ -59,8 +62,8 @@ final class PartShifts {
     }
 
     /**
-     * Adds what pulls at a part where it is: a parabola of these slopes, and of this curvature downwards. Where that is
-     * too little, or none, its slope pulls by a pixel: nothing was seen farther off.
+     * Adds a pull on a part at its present place: a parabola with these slopes and with this downward curvature. Where
+     * the curvature is too small or not downward, the slope pulls by one pixel, because nothing was seen farther off.
      */
     void pull(int part, double slopeX, double slopeY, double xx, double xy, double yy) {
         double middle = (xx + yy) / 2;
@@ -88,7 +91,7 @@ final class PartShifts {
         return Math.max(curvature, Math.abs(slope));
     }
 
-    /** Shifts the parts on by what pulls at them, and lets the pulls go; false where nothing pulls. */
+    /** Shifts the parts further by the pulls, and forgets the pulls; false if nothing pulls. */
     boolean step() {
         boolean isPulled = curvatures > 0;
         gain = 0;
@@ -104,7 +107,7 @@ final class PartShifts {
                 }
             }
             double[] slopes = right.clone();
-            // positive, because each shift has its cost
+            // positive definite, because each shift has its cost
             balance.factor();
             balance.solve(right);
             for (int i = 0; i < 2 * parts; i++) {
@@ -116,12 +119,15 @@ final class PartShifts {
         return isPulled;
     }
 
-    /** What the last step was to gain, as far as the pulls are parabolas. */
+    /** Expected gain of the last step, as far as the pulls are parabolas. */
     double gain() {
         return gain;
     }
 
-    /** Makes a difference cost its square: of a shift, and of those one and two parts before, so many times each. */
+    /**
+     * Adds the cost of the square of a difference: of a shift and those one and two parts before, each times its
+     * factor.
+     */
     private void charge(int last, int[] times, double cost) {
         double difference = 0;
         for (int k = 0; k < times.length; k++) {

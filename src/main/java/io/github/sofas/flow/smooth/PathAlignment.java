@@ -9,34 +9,34 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Bends a path until the events of each short part of the time lie where those of the others do: all make one picture
- * along the path, and what a part lies beside it, the path is off by. Ours, because a motion that is measured over some
- * px of travel bends evenly; what turns back, stops or sets off does not, but its picture stays the same. Polarities
- * count for nothing: they change as a structure turns back.
+ * Bends a path until the events of each short part of the time lie where those of the other parts do. Along the true
+ * path, all parts make one picture; what a part lies beside it is the error of the path. Ours, because a motion that is
+ * measured over some px of travel bends evenly. The motion of a structure that reverses, stops or sets off does not,
+ * but its picture stays the same. Polarities are ignored, because they change as a structure reverses.
  */
 final class PathAlignment {
-    /** Slices that are looked at on either side of the one whose path is bent, and parts of each. */
+    /** Slices that are looked at on either side of the slice whose path is bent, and parts per slice. */
     private static final int SIDE_SLICES = 2;
     private static final int PARTS_OF_SLICE = 4;
     private static final int PARTS = (2 * SIDE_SLICES + 1) * PARTS_OF_SLICE;
     /**
-     * Shortest slice: with look-aheads of less than 100 ms, what is looked at is too short for parts with pictures of
+     * Shortest slice. With look-aheads of less than 100 ms, the time looked at is too short for parts with pictures of
      * their own, and real recordings become less sharp.
      */
     private static final long LEAST_SLICE_US = 25_000;
-    /** Shift by what a path bends on either side below which it is steady, in px. */
+    /** Shift, in px, by the bend of a path on either side, below which the path is steady. */
     private static final double STEADY_PX = 0.1;
     /** Steps of the projection. */
     private static final int STEPS = 128;
-    /** Events that are wanted of more, and room for those of squares that have more than others. */
+    /** Events that are wanted where there are more, and room for them: the chosen squares may have more than others. */
     private static final int WANTED_EVENTS = 14_000;
     private static final int MOST_EVENTS = 1 << 14;
     private static final int LEAST_EVENTS = 60;
     private static final int ROUNDS = 3;
-    /** Metric that is to be gained, in standard deviations; and the share that the first round must promise. */
+    /** Least gain of the metric, in standard deviations; and the share of it that the first round must promise. */
     private static final double LEAST_SIGMAS = 1;
     private static final double FIRST_SHARE = 0.3;
-    /** Farthest that a part is to be shifted, in px. */
+    /** Shift, in px, that at least one part must reach. */
     private static final double LEAST_PX = 0.15;
 
     private final EventWindow window;
@@ -44,10 +44,10 @@ final class PathAlignment {
     private final PathProjection projection = new PathProjection();
     private final MeetingPicture picture;
     private final PartShifts shifts = new PartShifts(PARTS);
-    // places at the reference
+    // places of the events at the reference time
     private final int[] x = new int[MOST_EVENTS];
     private final int[] y = new int[MOST_EVENTS];
-    /** Where the events of each part begin. */
+    /** Index of the first event of each part. */
     private final int[] start = new int[PARTS + 1];
     private final long[] sums = new long[MeetingPicture.BESIDE * MeetingPicture.BESIDE];
     private final double[] met = new double[sums.length];
@@ -62,16 +62,16 @@ final class PathAlignment {
         picture = new MeetingPicture(sensor);
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return MeetingPicture.bytes(sensor) + 2L * Integer.BYTES * MOST_EVENTS;
     }
 
     /**
-     * Bends a path in a slice where its events then meet more often; not where slices are short.
+     * Bends a path in a slice, if its events meet more often along the bent path; does nothing if slices are short.
      *
-     * @param slices those around it, in order
-     * @param sliceUs time of a slice
+     * @param slices the slices around it, in order
+     * @param sliceUs duration of a slice in µs
      */
     void bend(SegmentPath path, List<Slice> slices, Slice slice, long sliceUs) {
         fromUs = Math.max(slice.fromUs - SIDE_SLICES * sliceUs, Math.min(path.firstSeenUs(), slice.fromUs));
@@ -86,8 +86,8 @@ final class PathAlignment {
     }
 
     /**
-     * Whether the path goes straight on, so that what was measured over it is right; or its picture is deformed, so
-     * that no part has that of another.
+     * Whether the path is kept as it is. A straight path is right as measured; where the picture is deformed, no part
+     * has the picture of another.
      */
     private boolean isKept(SegmentPath path, long middleUs) {
         path.at(middleUs, middle);
@@ -95,13 +95,13 @@ final class PathAlignment {
             || bendPx(path, fromUs) < STEADY_PX && bendPx(path, untilUs) < STEADY_PX;
     }
 
-    /** What the change of the velocity from the middle to a time shifts by, in px. */
+    /** Shift, in px, by the change of the velocity between the middle and a time. */
     private double bendPx(SegmentPath path, long us) {
         path.at(us, middle, side);
         return Math.hypot(side.vx - middle.vx, side.vy - middle.vy) * Math.abs(us - middle.referenceUs) * 0.5e-6;
     }
 
-    /** Moves the segment's events to the reference; returns how many there are. */
+    /** Moves the segment's events to the reference time; returns how many there are. */
     private int place(int segment, List<Slice> slices) {
         long share = Squares.share(count(segment, slices), WANTED_EVENTS);
         int n = 0;
@@ -138,7 +138,7 @@ final class PathAlignment {
         return events;
     }
 
-    /** Shifts the parts onto the picture that all make; whether it is worth it. */
+    /** Shifts the parts onto their common picture; returns whether the gain is worth it. */
     private boolean align() {
         shifts.clear();
         double before = pull();
@@ -149,7 +149,7 @@ final class PathAlignment {
             }
             after = pull();
         }
-        // each meeting counts twice, once for either event
+        // each meeting counts twice, once for each of its events
         return after - before > 2 * LEAST_SIGMAS * MetricFit.sd(after) && isFar();
     }
 
@@ -162,7 +162,10 @@ final class PathAlignment {
         return false;
     }
 
-    /** Finds what pulls at each part: how often its events meet those of the others, here and beside. */
+    /**
+     * Finds the pull on each part: how often its events meet those of the others, in place and beside. Returns how
+     * often they meet in place.
+     */
     private double pull() {
         picture.clear();
         for (int part = 0; part < PARTS; part++) {
@@ -191,7 +194,7 @@ final class PathAlignment {
         }
     }
 
-    /** Looks how many events those of a part meet where they are shifted to, and a px beside. */
+    /** Counts the events that those of a part meet where they are shifted to, and a px beside. */
     private void look(int part) {
         int right = MeetingPicture.shift(shifts.x(part));
         int down = MeetingPicture.shift(shifts.y(part));
@@ -204,7 +207,7 @@ final class PathAlignment {
         }
     }
 
-    /** The motion in the middle of each part in a slice. */
+    /** The motions in the middle of each part that lies in a slice. */
     private List<Motion> knots(SegmentPath path, Slice slice) {
         List<Motion> knots = new ArrayList<>();
         double seconds = (untilUs - fromUs) * 1e-6 / PARTS;
@@ -218,7 +221,7 @@ final class PathAlignment {
                 double vy = (shifts.y(after) - shifts.y(before)) * perS;
                 Motion motion = new Motion();
                 path.at(fromUs + afterUs, motion);
-                // at the reference the part was turned and grown by what comes between
+                // at the reference time, the part is turned and grown by the motion in between
                 projection.goTo(projection.step(afterUs));
                 motion.vx -= projection.backX(vx, vy) - projection.backX(0, 0);
                 motion.vy -= projection.backY(vx, vy) - projection.backY(0, 0);

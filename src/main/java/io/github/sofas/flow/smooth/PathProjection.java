@@ -3,8 +3,8 @@ package io.github.sofas.flow.smooth;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Where events of a segment were or will be at a reference time, along its path, in steps of time. A path bends more
- * than one motion with its acceleration says: what swings once a second is a px off after 0.2 s.
+ * Projects events of a segment along its path to a reference time, in steps of time. A path bends more than one motion
+ * with its acceleration describes: a structure that swings once per second is 1 px off after 0.2 s.
  */
 final class PathProjection {
     private static final int MOST_STEPS = 128;
@@ -14,7 +14,7 @@ final class PathProjection {
     private final double[] shiftX = new double[MOST_STEPS];
     private final double[] shiftY = new double[MOST_STEPS];
     private final Motion motion = new Motion();
-    // of the step that it went to
+    // of the present step
     private double atCos;
     private double atSin;
     private double atShiftX;
@@ -22,18 +22,18 @@ final class PathProjection {
     private long fromUs;
     private double stepsPerUs;
     private int steps;
-    // composed so far: from a time to the reference
+    // composed so far: the transform from a time to the reference time
     private double c;
     private double s;
     private double wayX;
     private double wayY;
 
     /**
-     * Begins with a reference.
+     * Begins with a path and a reference time.
      *
-     * @param from first time that is asked for, in µs; not after the reference
-     * @param perUs steps in a µs
-     * @param count steps, at most {@value #MOST_STEPS}
+     * @param from first time that is asked for, in µs; not after the reference time
+     * @param perUs steps per µs
+     * @param count number of steps, at most {@value #MOST_STEPS}
      */
     void begin(SegmentPath path, long referenceUs, long from, double perUs, int count) {
         fromUs = from;
@@ -44,7 +44,7 @@ final class PathProjection {
         compose(path, referenceUs, first - 1, -1, -1);
     }
 
-    /** Composes steps from the reference on, forwards or backwards. */
+    /** Composes steps from the reference time on, forwards or backwards. */
     private void compose(SegmentPath path, long referenceUs, int first, int end, int by) {
         c = 1;
         s = 0;
@@ -63,7 +63,7 @@ final class PathProjection {
         }
     }
 
-    /** Goes on by so many s, whose middle the motion is of. */
+    /** Appends a step of so many seconds; the motion is that of its middle. */
     private void add(double seconds) {
         double shrunk = Math.exp(-motion.growth * seconds);
         double stepC = shrunk * Math.cos(motion.omega * seconds);
@@ -79,17 +79,17 @@ final class PathProjection {
         c = newC;
     }
 
-    /** Step at a time in µs since the first that is asked for. */
+    /** Step that contains a time, in µs since the first that is asked for. */
     int step(long us) {
         return Math.min(steps - 1, (int) (us * stepsPerUs));
     }
 
-    /** Last time that there are steps for, in µs since the first that is asked for. */
+    /** Last time that the steps cover, in µs since the first that is asked for. */
     long lastUs() {
         return (long) (steps / stepsPerUs);
     }
 
-    /** First time after a step, in µs since the first that is asked for; never after the last step. */
+    /** First time after a step, in µs since the first that is asked for; for the last step, a time that never comes. */
     long untilUs(int step) {
         if (step == steps - 1) {
             return Long.MAX_VALUE / 2;
@@ -104,7 +104,7 @@ final class PathProjection {
         return us;
     }
 
-    /** Goes to a step: places are projected from it, or back to it, from then on. */
+    /** Goes to a step: from now on, places are projected from it, or back to it. */
     void goTo(int step) {
         atCos = cos[step];
         atSin = sin[step];
@@ -112,7 +112,7 @@ final class PathProjection {
         atShiftY = shiftY[step];
     }
 
-    /** Column, at the reference, of what is at a place at the step. */
+    /** Column, at the reference time, of a place at the step. */
     double x(int atX, int atY) {
         return atCos * atX + atSin * atY + atShiftX;
     }
@@ -122,7 +122,7 @@ final class PathProjection {
         return atCos * atY - atSin * atX + atShiftY;
     }
 
-    /** Column, at the step, of what is at a place at the reference. */
+    /** Column, at the step, of a place at the reference time. */
     double backX(double x, double y) {
         return (atCos * (x - atShiftX) - atSin * (y - atShiftY)) / (atCos * atCos + atSin * atSin);
     }

@@ -2,17 +2,20 @@ package io.github.sofas.flow.smooth;
 
 import io.github.sofas.event.SensorSize;
 
-/** Where the events of a contour lie when they are moved to one time, to be laid on that of another. */
+/**
+ * Picture of a contour: the places of its events when moved to one time. It is laid on the picture of another contour
+ * to see whether both show the same structure.
+ */
 final class Picture {
-    /** Farthest that another one is moved from where the middles of both meet, to the right and down, in px. */
+    /** Greatest shift of another picture, along each axis, from where the middles of both coincide, in px. */
     static final int SEARCHED_PX = 6;
     private static final int BORDER = SEARCHED_PX + 2;
-    /** Most events; more show nothing new. */
+    /** Most events; more of them show nothing new. */
     private static final int MOST_EVENTS = 1 << 15;
 
     private final int width;
     private final int height;
-    /** Whether an event lies on a pixel or beside it. */
+    /** Whether an event lies on a pixel or next to it. */
     private final boolean[] near;
     private final short[] columns = new short[MOST_EVENTS];
     private final short[] rows = new short[MOST_EVENTS];
@@ -29,7 +32,7 @@ final class Picture {
         near = new boolean[width * height];
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return (long) (sensor.width() + 2 * BORDER) * (sensor.height() + 2 * BORDER)
             + 2L * Short.BYTES * MOST_EVENTS;
@@ -57,8 +60,8 @@ final class Picture {
     }
 
     /**
-     * Adds an event that was moved to a place; what has left the sensor by more than a few px is left out, and what
-     * comes after the first {@value #MOST_EVENTS}.
+     * Adds an event that was moved to a place. An event that left the sensor by more than a few px is left out, and so
+     * is one beyond the first {@value #MOST_EVENTS}.
      */
     void add(double x, double y) {
         int column = (int) Math.floor(x) + BORDER;
@@ -76,7 +79,7 @@ final class Picture {
         sumYy += y * y;
     }
 
-    /** How many events it has. */
+    /** Number of events. */
     int events() {
         return events;
     }
@@ -101,8 +104,8 @@ final class Picture {
     }
 
     /**
-     * How well two agree: the share of the events of either that lie within a px of those of the other, of the one of
-     * which that is less, where the other lies best. Both have events.
+     * How well two pictures agree: the share of the events of one that lie within a px of events of the other, the
+     * smaller of the two shares, where the other lies best. Both must have events.
      */
     double agreement(Picture other) {
         int dx = (int) Math.rint(other.middleX() - middleX());

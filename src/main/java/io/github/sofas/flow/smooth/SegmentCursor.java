@@ -2,9 +2,9 @@ package io.github.sofas.flow.smooth;
 
 import java.util.List;
 
-/** Goes through the events of one segment from a time to before another, in order of time. */
+/** Iterates over the events of one segment between two times, in order of time. */
 final class SegmentCursor {
-    /** What there is after the last event. */
+    /** Returned after the last event. */
     static final int NONE = -1;
 
     private final EventWindow window;
@@ -12,7 +12,7 @@ final class SegmentCursor {
     private int segment;
     private long fromUs;
     private long untilUs;
-    /** Number of the slice whose events follow, those, and the places of the next one and after the last. */
+    /** Index of the present slice, its events, and the places in it of the next event and after the last one. */
     private int slice;
     private SegmentEvents events;
     private int next;
@@ -25,10 +25,10 @@ final class SegmentCursor {
     /**
      * Begins anew.
      *
-     * @param among in order of time
-     * @param id the segment
+     * @param among slices in order of time
+     * @param id of the segment
      * @param from first time in µs
-     * @param until time in µs that all events are before
+     * @param until time in µs before which all events lie
      */
     void begin(List<Slice> among, int id, long from, long until) {
         slices = among;
@@ -40,7 +40,7 @@ final class SegmentCursor {
         end = 0;
     }
 
-    /** Entry of the next event in the arrays of the window; {@value #NONE} where none follows. */
+    /** Entry of the next event in the arrays of the window; {@value #NONE} if none follows. */
     int next() {
         do {
             while (next < end) {
@@ -53,7 +53,7 @@ final class SegmentCursor {
         return NONE;
     }
 
-    /** Goes on to the next slice that may have some of the time; false where there is none. */
+    /** Moves on to the next slice that may overlap the time; false if there is none. */
     private boolean goOn() {
         do {
             slice++;

@@ -3,9 +3,9 @@ package io.github.sofas.flow.smooth;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** The events of a slice that have a segment, sorted by it: those of each in order of time. */
+/** The events of a slice that have a segment, sorted by segment; those of one segment are in order of time. */
 final class SegmentEvents {
-    /** Where the events of one segment are in the order. */
+    /** Range of the events of one segment in the order. */
     private static final class Run {
         final int segment;
         int from;
@@ -16,15 +16,17 @@ final class SegmentEvents {
         }
     }
 
-    /** Segments that came last, by the last bits of their numbers: looking each event's up in a map takes longer. */
+    /**
+     * Size of the cache of recent segments, by the last bits of their numbers: a map look-up per event takes longer.
+     */
     private static final int RECENT = 64;
 
     private final long first;
     private final int[] order;
-    /** By rising number of the segment. */
+    /** Runs by rising number of the segment. */
     private final Map<Integer, Run> runs = new TreeMap<>();
 
-    /** Sorts the events from one on until before another by the segments that they have now. */
+    /** Sorts the events from one to before another by the segments that they have now. */
     SegmentEvents(EventWindow window, long first, long until) {
         this.first = first;
         Run[] recent = new Run[RECENT];
@@ -72,7 +74,7 @@ final class SegmentEvents {
         return run == null ? 0 : run.from;
     }
 
-    /** Place in the order after the last event of a segment; not after {@link #from} where it has none. */
+    /** Place in the order after the last event of a segment; equal to {@link #from} if it has none. */
     int until(int segment) {
         Run run = runs.get(segment);
         return run == null ? 0 : run.until;

@@ -6,36 +6,41 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How a segment moved while it is looked at: its motion at knots of time, each the middle of the window that it was
- * measured over. Between two knots the motion changes evenly; before the first one the segment moves steadily, and
- * after the last one it changes on as its motion did there, no longer than it has events.
+ * The motion of a segment over the time that is looked at. Its knots are measured motions, each at the middle of the
+ * window that it was measured over. Between two knots the motion changes evenly. Before the first knot the segment
+ * moves steadily. After the last one the motion changes on as it did there, but no longer than the segment has events.
  */
 final class SegmentPath {
     private static final int FIRST_CAPACITY = 64;
 
-    /** Travel that is looked at on either side of what is measured anew, and from one to the next, in px. */
+    /**
+     * Travel on either side over which a motion is measured anew, and travel from one such measurement to the next, in
+     * px.
+     */
     private static final double REFINED_PX = 8;
     private static final double REFINED_EVERY_PX = 4;
-    /** Speed of what stands. */
+    /** Speed of a segment at rest. */
     private static final double LEAST_PX_PER_S = 1e-3;
-    /** Travel and time on either side that motions are averaged over, and samples of it. */
+    /** Travel and time on either side over which motions are averaged, and samples per side. */
     private static final double AVERAGED_PX = 4;
     private static final long MOST_AVERAGED_US = 150_000;
     private static final int SAMPLES = 8;
-    /** Events from which on they show a motion in less time, as it is where a thing slows down to turn back. */
+    /** Events from which on a shorter window shows the motion, as is needed where a structure slows down to reverse. */
     private static final int MANY_EVENTS = 1000;
-    /** Shift by rotation and growth on either side below which nothing is measured anew. */
+    /** Shift by rotation and growth on either side, in px, below which nothing is measured anew. */
     private static final double LEAST_SHIFT_PX = 0.25;
 
-    /** Parts of the time over which it is seen whether two moved along together. */
+    /** Parts of the time over which two paths are compared for moving together. */
     private static final int PARTS = 8;
-    /** How far two that are one may seem to go apart: in px, and as shares of their way and of what turning shifts. */
+    /**
+     * How far two paths of one body may seem to part: in px, and as shares of their way and of the shift by turning.
+     */
     private static final double APART_PX = 3;
     private static final double APART_SHARE = 0.15;
     private static final double APART_TURNING = 0.5;
     /**
-     * Share of its speed by which a motion may have changed since it was measured last: what turns back or pauses seems
-     * to slow down without end.
+     * Share of its speed by which a motion may change after its last measurement: a structure that reverses or pauses
+     * seems to slow down without end.
      */
     private static final double MOST_CHANGE = 0.25;
 
@@ -46,9 +51,9 @@ final class SegmentPath {
     private long firstSeenUs = Long.MAX_VALUE;
     private long endUs = Long.MAX_VALUE;
     private long sureUntilUs = Long.MIN_VALUE;
-    /** About the root of the mean square distance of its events from their middle, where that was looked at last. */
+    /** Approximate root mean square distance of its events from their middle, where they were looked at last. */
     private double radius;
-    /** What was asked for last. */
+    /** The motion that was asked for last. */
     private final Motion steady = new Motion();
     private final Motion before = new Motion();
     private final Motion after = new Motion();
@@ -71,29 +76,29 @@ final class SegmentPath {
         return newestUs;
     }
 
-    /** Notes an event that the causal labels give it. */
+    /** Notes an event that the causal labels give to the segment. */
     void see(long timeUs) {
         firstSeenUs = Math.min(firstSeenUs, timeUs);
         newestUs = Math.max(newestUs, timeUs);
         endUs = Math.max(endUs, timeUs);
     }
 
-    /** Ends it where it is: its events are those of another from now on. */
+    /** Ends it at its newest time: its events are those of another segment from now on. */
     void end() {
         endUs = newestUs;
     }
 
-    /** Time in µs at which its events became those of another. */
+    /** Time in µs at which its events became those of another segment. */
     long endUs() {
         return endUs;
     }
 
-    /** Whether its events became those of another. */
+    /** Whether its events became those of another segment. */
     boolean hasEnded() {
         return endUs < Long.MAX_VALUE;
     }
 
-    /** Time in µs up to which its events were seen to move along it beyond doubt. */
+    /** Time in µs up to which its events are known to move along it beyond doubt. */
     long sureUntilUs() {
         return sureUntilUs;
     }
@@ -103,35 +108,37 @@ final class SegmentPath {
         sureUntilUs = untilUs;
     }
 
-    /** Time of the first event that the causal labels give it in µs. */
+    /** Time in µs of the first event that the causal labels give to the segment. */
     long firstSeenUs() {
         return firstSeenUs;
     }
 
-    /** Whether the causal labels give it events of a slice, but none at its beginning or before. */
+    /** Whether the causal labels give the segment events of a slice, but none at its beginning or before. */
     boolean isFirstSeenIn(Slice slice) {
         return firstSeenUs > slice.fromUs && firstSeenUs < slice.untilUs;
     }
 
-    /** The earliest motion that is known. */
+    /** The earliest known motion. */
     Motion first() {
         return knots.get(0);
     }
 
-    /** The latest motion that is known. */
+    /** The latest known motion. */
     Motion last() {
         return knots.get(knots.size() - 1);
     }
 
     /**
-     * Whether it may have been one body with another as long as both are known: one of the two went where the motion of
-     * the other takes what lies there. Either will do, because a piece may not show that it turns.
+     * Whether the segment may have been one body with another for as long as both are known: one of the two went where
+     * the motion of the other takes a point there. One direction is enough, because a piece may not show that it turns.
      */
     boolean movedAsOneWith(SegmentPath other) {
         return tookAlong(other) || other.tookAlong(this);
     }
 
-    /** Whether another went about where the motion of this takes what lies there; turning may be known late. */
+    /**
+     * Whether another segment went about where the motion of this one takes a point there; turning may be known late.
+     */
     private boolean tookAlong(SegmentPath other) {
         long fromUs = Math.max(first().referenceUs, other.first().referenceUs);
         double seconds = (Math.min(last().referenceUs, other.last().referenceUs) - fromUs) * 1e-6 / PARTS;
@@ -151,7 +158,7 @@ final class SegmentPath {
         return Math.hypot(x, y) <= may;
     }
 
-    /** Takes over what is known of a segment that proved to be the same, for the times that this knows nothing of. */
+    /** Takes over the knots of a segment that proved to be the same, for the times without knots here. */
     void takeOver(SegmentPath other) {
         int k = 0;
         for (Motion knot : other.knots) {
@@ -165,7 +172,7 @@ final class SegmentPath {
         forgetSteady();
     }
 
-    /** Lets the knots go that no time from another on needs. */
+    /** Drops the knots that no time from a given one on needs. */
     void forget(long us) {
         int needless = knotsUntil(us) - 1;
         if (needless > 0) {
@@ -173,7 +180,7 @@ final class SegmentPath {
         }
     }
 
-    /** Takes a measurement; those of the same or a later time are outdated by it. */
+    /** Adds a measurement, which replaces those of the same or a later time. */
     void add(Motion measured) {
         Motion knot = new Motion();
         knot.copyFrom(measured);
@@ -185,16 +192,16 @@ final class SegmentPath {
         forgetSteady();
     }
 
-    /** Measures the motion at a time over so many µs on both sides; null where it cannot, or of too few events. */
+    /** Measures the motion at a time over so many µs on either side; null if it cannot, or has too few events. */
     @FunctionalInterface
     interface Refinement {
         Motion at(long us, long sideUs, int leastEvents);
     }
 
     /**
-     * Puts knots that are measured anew in the place of those in a slice, where the segment turns or grows: over so
-     * many px of travel at its greatest speed about them, where that has events enough, else at that of the moment,
-     * which may be that in which it turns back.
+     * Measures the knots of a slice anew where the segment turns or grows. The window is so many px of travel at the
+     * greatest speed around a knot, if that has enough events. Otherwise the speed is that at the knot, where the
+     * segment may be reversing.
      */
     void refine(Slice slice, long mostSideUs, Refinement refinement) {
         radius = slice.box(id).radius();
@@ -222,19 +229,19 @@ final class SegmentPath {
         }
     }
 
-    /** Half the time that the motion is measured anew over at a speed in px/s, in µs. */
+    /** Half the time, in µs, over which a motion of a speed in px/s is measured anew. */
     private static long refinedUs(double speed, long mostSideUs) {
         return (long) Math.min(REFINED_PX / speed * 1e6, mostSideUs);
     }
 
-    /** Greatest of the speeds at a knot and so many µs before and after it, in px/s. */
+    /** Greatest of the speeds at a knot, and so many µs before and after it, in px/s. */
     private double greatestSpeed(Motion knot, long sideUs) {
         at(knot.referenceUs - sideUs, before);
         at(knot.referenceUs + sideUs, after);
         return Math.max(knot.speed(radius), Math.max(before.speed(radius), after.speed(radius)));
     }
 
-    /** Puts knots that are known better in the place of those from a time to before another. */
+    /** Replaces the knots from one time to before another by better ones. */
     void replace(long fromUs, long untilUs, List<Motion> by) {
         int k = knotsUntil(fromUs - 1);
         knots.subList(k, knotsUntil(untilUs - 1)).clear();
@@ -252,7 +259,7 @@ final class SegmentPath {
         steadyUntilUs = 0;
     }
 
-    /** How many knots are at a time or before. */
+    /** Number of knots at a time or before. */
     private int knotsUntil(long us) {
         int low = 0;
         int high = knots.size();
@@ -268,8 +275,9 @@ final class SegmentPath {
     }
 
     /**
-     * The motion in the middle of the block of time that a time is in, averaged over what is known on both sides: two
-     * measurements in turn have few events in common, and swing about what both are of. The next question changes it.
+     * The motion in the middle of the block of time that contains a time, averaged over the knots on both sides. Two
+     * successive measurements have few events in common, and swing about the true motion. The next call changes the
+     * result.
      */
     Motion about(long us, long blockUs) {
         if (us < steadyFromUs || us >= steadyUntilUs) {
@@ -280,7 +288,7 @@ final class SegmentPath {
         return steady;
     }
 
-    /** Averages the motion about a time, what is near counting most, over as much of both sides as has knots. */
+    /** Averages the motion about a time, near times counting most, over as much of both sides as has knots. */
     private void average(long us) {
         at(us, steady);
         double travelUs = AVERAGED_PX / Math.max(steady.speed(radius), LEAST_PX_PER_S) * 1e6;
@@ -327,7 +335,7 @@ final class SegmentPath {
         Motion a = knots.get(k - 1);
         Motion b = knots.get(k);
         double seconds = (b.referenceUs - a.referenceUs) * 1e-6;
-        // the same point of the structure in both
+        // both motions about the same point of the structure
         to.copyFrom(b);
         to.moveCentre(a.centreX + a.vx * seconds, a.centreY + a.vy * seconds);
         double ax = (to.vx - a.vx) / seconds;
@@ -347,8 +355,8 @@ final class SegmentPath {
     }
 
     /**
-     * The motion at a time after it was measured last: it changes on until its newest event, or until it may have
-     * turned back, and is steady from then on.
+     * The motion at a time after the last measurement: it changes until the newest event, or until the segment may have
+     * reversed, and is steady from then on.
      */
     private void goOn(long us, Motion to) {
         to.copyFrom(last());
@@ -361,14 +369,17 @@ final class SegmentPath {
         to.moveReference(us);
     }
 
-    /** The motion at a time, about the point of the structure that is the centre of a motion at its own. */
+    /**
+     * The motion at a time, about that point of the structure which is the centre of another motion at its reference
+     * time.
+     */
     void at(long us, Motion of, Motion to) {
         long fromUs = us - of.referenceUs;
         at(us, to);
         to.moveCentre(of.centreX + of.vx * fromUs * 1e-6, of.centreY + of.vy * fromUs * 1e-6);
     }
 
-    /** The motion at a time, changing as it does in the mean from a time before to as long after. */
+    /** The motion at a time, with the mean change from a time before it to as long after it. */
     void bending(long us, long sideUs, Motion to) {
         at(us, to);
         at(us - sideUs, to, before);

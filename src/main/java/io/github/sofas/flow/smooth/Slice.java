@@ -7,28 +7,33 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The events of a short time, sorted by tiles of the sensor, so that those around a place are found without looking at
- * all. Within a tile they are in order of time.
+ * The events of a short time, sorted by tiles of the sensor, so that the events around a place are found without a
+ * search through all. Within a tile they are in order of time. A tile is open if its events are to be decided anew.
  */
 final class Slice {
-    /** Side of a tile in px, as a power of two. */
+    /** Side of a tile in px, as a power of two: 32 px. */
     static final int TILE_BITS = 5;
     /** Bits of a row; a column takes as many. */
     private static final int Y_BITS = 15;
-    /** Unlabelled events of a tile, as a share of them and of the labelled ones about, that are more than noise. */
+    /**
+     * Unlabelled events of a tile, as a share of these and the labelled events around, above which they are more than
+     * noise.
+     */
     private static final double UNEXPLAINED = 0.2;
-    /** Events of a tile that a second segment must have, as a share of the labelled ones. */
+    /** Events of a tile that a second segment must have for the tile to be shared, as a share of the labelled ones. */
     private static final double SHARED = 0.02;
 
     final long fromUs;
     final long untilUs;
     final long from;
     final long until;
-    /** How many noise events a pixel gave of either polarity, per µs. */
+    /** Noise events per µs that a pixel gave, of each polarity. */
     final double noisePerUs;
     private final int columns;
     private final int rows;
-    /** Events from the slice's first one on, by tile; when each happened, in µs since the slice began, and where. */
+    /**
+     * Events by tile, counted from the slice's first one; the time of each, in µs since the slice began, and its place.
+     */
     private final int[] order;
     private final int[] afterUs;
     private final int[] places;
@@ -61,7 +66,7 @@ final class Slice {
         findOpen(window);
     }
 
-    /** The most bytes that its arrays take, with that many events at most. */
+    /** Most bytes that its arrays take if it holds at most so many events. */
     static long mostBytes(SensorSize sensor, int mostEvents) {
         long tiles = (sensor.width() - 1L >> TILE_BITS) + 1;
         tiles *= (sensor.height() - 1L >> TILE_BITS) + 1;
@@ -92,7 +97,7 @@ final class Slice {
         return sorted;
     }
 
-    /** Gives the events of a segment to another, which proved to be the same. */
+    /** Gives the events of a segment to another that proved to be the same. */
     void join(int segment, int to) {
         relabel();
         PixelBox joined = boxes.remove(segment);
@@ -101,12 +106,12 @@ final class Slice {
         }
     }
 
-    /** Notes that its events were given to other segments. */
+    /** Notes that events of the slice were given to other segments. */
     void relabel() {
         bySegment = null;
     }
 
-    /** Its events by the segments that they have now. */
+    /** The events of the slice by the segments that they have now. */
     SegmentEvents bySegment(EventWindow window) {
         if (bySegment == null) {
             bySegment = new SegmentEvents(window, from, until);
@@ -119,7 +124,7 @@ final class Slice {
         isStale = true;
     }
 
-    /** Finds anew what is open after segments were joined. */
+    /** Finds the open tiles anew if segments were joined. */
     void refresh(EventWindow window) {
         if (isStale) {
             isStale = false;
@@ -164,7 +169,7 @@ final class Slice {
     }
 
     /**
-     * Opens the tiles of a box, which a segment may have events in that was found later, or was lost.
+     * Opens the tiles of a box: a segment that was found later, or was lost, may have events there.
      *
      * @param left column of its first tiles; right is that of its last ones, and so on
      */
@@ -230,7 +235,7 @@ final class Slice {
         return from + order[k];
     }
 
-    /** When the k-th event happened, in µs since the slice began. */
+    /** Time of the k-th event, in µs since the slice began. */
     int afterUs(int k) {
         return afterUs[k];
     }
@@ -268,22 +273,22 @@ final class Slice {
         return low;
     }
 
-    /** Whether it is to be decided anew whose the events of a tile are: several may have them, or none has many. */
+    /** Whether the events of a tile are to be decided anew: several segments may have them, or many have none. */
     boolean isOpen(int tile) {
         return open[tile];
     }
 
-    /** Whether a tile is open, or one of those around it is: its events may come from there or go there. */
+    /** Whether a tile or one around it is open: its events may come from there or go there. */
     boolean isNearOpen(int tile) {
         return nearOpen[tile];
     }
 
-    /** Whether any of its events had the label of a segment when it was complete. */
+    /** Whether any of its events had the label of a segment when the slice was complete. */
     boolean has(int segment) {
         return boxes.containsKey(segment);
     }
 
-    /** Where the events of a segment lie; null where it has none. */
+    /** Box of the events of a segment; null if it has none. */
     PixelBox box(int segment) {
         return boxes.get(segment);
     }

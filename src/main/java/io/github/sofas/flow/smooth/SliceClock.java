@@ -1,8 +1,8 @@
 package io.github.sofas.flow.smooth;
 
 /**
- * Tells which event begins another slice: one at or after the next multiple of a slice's duration, or after
- * {@link Smoother#MOST_EVENTS} events. It follows from the events alone, so that what goes before the smoother knows it
+ * Determines which event begins a new slice: one at or after the next multiple of a slice's duration, or after
+ * {@link Smoother#MOST_EVENTS} events. This depends on the events alone, so that the step before the smoother knows it
  * without asking.
  */
 public final class SliceClock {
@@ -11,9 +11,7 @@ public final class SliceClock {
     private long newestUs;
     private int events;
 
-    /**
-     * Makes one for a look-ahead in µs.
-     */
+    /** Makes one for a look-ahead in µs. */
     public SliceClock(long lookAheadUs) {
         sliceUs = sliceUs(lookAheadUs);
     }
@@ -23,7 +21,7 @@ public final class SliceClock {
         return Math.max(1, lookAheadUs / Smoother.AHEAD);
     }
 
-    /** When a slice ends at the latest that begins at a time or goes on then, in µs. */
+    /** Latest end, in µs, of a slice that begins or continues at a time. */
     static long untilUs(long us, long sliceUs) {
         return Math.floorDiv(us, sliceUs) * sliceUs + sliceUs;
     }
@@ -32,7 +30,7 @@ public final class SliceClock {
      * Takes the next event.
      *
      * @param timeUs never less than before
-     * @return whether it begins a slice, other than the first one
+     * @return whether the event begins a slice, other than the first one
      */
     public boolean begins(long timeUs) {
         boolean isFirst = untilUs == Long.MIN_VALUE;

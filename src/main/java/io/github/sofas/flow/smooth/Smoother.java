@@ -12,25 +12,28 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Looks at labelled events from both sides. Time is cut into slices, of which {@value #AHEAD} make the look-ahead. When
- * a slice is complete, the one {@value #FIRST_LOOK} before it is labelled anew, and with what that gives on both sides
- * the one {@value #AHEAD} before it once more, for good; its events get the velocity of their segment's path.
+ * Labels events anew, from the events on both sides of them. Time is cut into slices, {@value #AHEAD} of which make up
+ * the look-ahead. When a slice is complete, the one {@value #FIRST_LOOK} slices before it is labelled anew. With these
+ * labels on both sides, the one {@value #AHEAD} slices before it is labelled once more, for good; its events get the
+ * velocity of their segment's path.
  *
- * <p>Slices end at multiples of their duration in the time of the events, and early where they have
- * {@value #MOST_EVENTS} events: what comes out depends on the events only, and memory is bounded.
+ * <p>A slice ends at a multiple of its duration in the time of the events, or early when it has {@value #MOST_EVENTS}
+ * events. So results depend on the events only, and memory is bounded.
  */
 public final class Smoother {
-    /** Slices of the look-ahead. */
+    /** Slices in the look-ahead. */
     public static final int AHEAD = 4;
     /** Most events of a slice. */
     public static final int MOST_EVENTS = 1 << 16;
-    /** Slices after which events are labelled for the first time. */
+    /** Slices after which events are labelled anew for the first time. */
     private static final int FIRST_LOOK = 2;
     /** Slices that are kept: as many before the one that is labelled for good as after it. */
     private static final int KEPT = 2 * AHEAD + 1;
-    /** A measured motion takes about a hundred bytes; there is one for 25 events or more. */
+    /**
+     * Bytes per event for measured motions: one takes about a hundred bytes, and there is one for 25 events or more.
+     */
     private static final int BYTES_PER_EVENT = 4;
-    /** Time over which a motion is taken as steady, in parts of a slice. */
+    /** Blocks of a slice; over each, a motion is taken as steady. */
     private static final int BLOCKS = 32;
 
     private final SensorSize sensor;
@@ -48,7 +51,7 @@ public final class Smoother {
     private final KnownAgain knownAgain;
     private long sliceFrom;
     private long sliceFromUs = Long.MIN_VALUE;
-    /** Number of the first event that is not labelled for good, and that of the first that was not taken. */
+    /** Number of the first event that is not labelled for good, and of the first that was not taken. */
     private long labelled;
     private long taken;
     private long newestUs = Long.MIN_VALUE;
@@ -56,7 +59,7 @@ public final class Smoother {
     private boolean finished;
 
     /**
-     * Makes one that is empty.
+     * Makes an empty one.
      *
      * @param p what motions may have
      * @param lookAheadUs in µs
@@ -73,8 +76,8 @@ public final class Smoother {
     }
 
     /**
-     * The most bytes that it holds where events are taken as soon as they can be: those of its arrays, and
-     * {@value #BYTES_PER_EVENT} for each event for measured motions and what is known of segments.
+     * Most bytes that it holds if events are taken as soon as they can be: those of its arrays, and
+     * {@value #BYTES_PER_EVENT} per event for measured motions and what is known of segments.
      */
     public static long mostBytes(SensorSize sensor) {
         int mostEvents = (KEPT + 1) * MOST_EVENTS;
@@ -99,30 +102,32 @@ public final class Smoother {
         }
     }
 
-    /** Whether a segment of the engine was known again in another one, and is of no interest any more. */
+    /** Whether a segment of the engine was recognised in another one, and is of no interest any more. */
     public boolean isLeft(int segment) {
         return labels.isLeft(segment);
     }
 
-    /** Notes that the engine ended a segment; false where it was what is left of one that was known again. */
+    /** Notes that the engine ended a segment; false if the segment was the remnant of one recognised in another. */
     public boolean end(int segment) {
         return labels.endSegment(segment);
     }
 
-    /** The label of a segment's events: its own, or that of another that it proved to be the same as. */
+    /** The label of a segment's events: its own, or that of a segment that it proved to be the same as. */
     public int label(int segment) {
         return labels.ofPath(labels.path(segment));
     }
 
     /**
-     * Takes note that a segment proved to be a piece of another that goes on. Events of both that are not labelled for
-     * good get one label: that of the other, or where only the piece's was given to events for good, that.
+     * Notes that a segment proved to be a piece of another that lives on. Events of both that are not labelled for good
+     * get one label: that of the other segment, or that of the piece if events were labelled for good with that one
+     * only.
      *
-     * @return whether its label ends with this: it was given to events, and no other is given to them any more
+     * @return whether the label of the piece ends with this: the piece is no part of the other label by its motion, or
+     *     events were labelled for good with its own label, which no others get any more
      */
     public boolean merge(int segment, int into) {
         if (labels.path(segment) == labels.path(into)) {
-            // what was known again becomes one with what was left of it
+            // a segment in which a lost one was recognised merges with the remnant of the lost one
             labels.resume(into);
             return false;
         }
@@ -149,7 +154,7 @@ public final class Smoother {
         return ends;
     }
 
-    /** The label that a label which ended by {@link #merge} goes on as. */
+    /** The label that a label ended by {@link #merge} continues as. */
     public int endOf(int label) {
         return labels.endOf(label);
     }
@@ -182,7 +187,7 @@ public final class Smoother {
         window.vyPxPerS[k] = causal.vyPxPerS[i];
     }
 
-    /** Ends the slices that end before an event of that time ({@link SliceClock}). */
+    /** Ends the slices that are over before an event of that time ({@link SliceClock}). */
     public void endSlices(long timeUs) {
         if (events() >= MOST_EVENTS) {
             endSlice(Math.min(sliceUntilUs(), newestUs + 1));
@@ -190,7 +195,7 @@ public final class Smoother {
         while (timeUs >= sliceUntilUs()) {
             endSlice(sliceUntilUs());
             if (labelled == window.end() && timeUs >= sliceUntilUs()) {
-                // nothing waits: on to where events go on
+                // no event waits: skip to where events continue
                 slices.clear();
                 sliceFromUs = Math.floorDiv(timeUs, sliceUs) * sliceUs;
             }
@@ -228,7 +233,7 @@ public final class Smoother {
         }
     }
 
-    /** Looks whether what began of late was lost before. */
+    /** Looks for lost segments among those that began recently. */
     private void knowAgain() {
         for (SegmentPath begun : List.copyOf(paths.values())) {
             if (begun.isMeasured() && !begun.hasEnded() && !labels.isGiven(labels.ofPath(begun.id()))) {
@@ -246,7 +251,7 @@ public final class Smoother {
         }
     }
 
-    /** Measures anew what turns or grows, and bends all paths, in the slice that is labelled next. */
+    /** In the slice that is labelled next, measures paths that turn or grow anew, and bends all paths. */
     private void refine() {
         int index = slices.size() - 1 - FIRST_LOOK;
         if (index < 0) {
@@ -280,7 +285,7 @@ public final class Smoother {
         slice.relabel();
     }
 
-    /** Takes labels away that would blur the picture. */
+    /** Takes away labels that would blur the picture. */
     private void unlabel(Slice slice) {
         for (int id : slice.bySegment(window).segments()) {
             SegmentPath path = paths.get(id);
@@ -319,7 +324,10 @@ public final class Smoother {
         }
     }
 
-    /** Whether no event gets a label unless the engine finds more of it, and all that it was given to were taken. */
+    /**
+     * Whether a label is over: no event gets it unless the engine finds more of its segment, and all events that have
+     * it were taken.
+     */
     public boolean isOver(int label) {
         boolean isOver = taken == labelled;
         for (int path : paths.keySet()) {
@@ -328,13 +336,13 @@ public final class Smoother {
         return isOver;
     }
 
-    /** Lets a label go that no event gets any more. */
+    /** Forgets a label that no event gets any more. */
     public void forget(int label) {
         labels.forget(label);
     }
 
     /**
-     * Clears a batch, and fills it with the events that follow and were labelled for good.
+     * Clears a batch, and fills it with the next events that were labelled for good.
      *
      * @return whether there were any
      */

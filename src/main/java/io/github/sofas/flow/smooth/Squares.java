@@ -1,24 +1,24 @@
 package io.github.sofas.flow.smooth;
 
 /**
- * Squares of a picture of which some are taken by chance, where there are too many events: whole squares, because
- * thinning events one by one thins their meetings by the square.
+ * Selects some squares of a picture by chance, where there are too many events. Whole squares are taken, because
+ * thinning single events thins their meetings by the square.
  */
 final class Squares {
     /** Side of a square in px, as a power of two. */
     private static final int SIDE_BITS = 3;
-    /** Share of all squares. */
+    /** The share that takes all squares. */
     private static final long ALL = 1L << Integer.SIZE;
 
     private Squares() {
     }
 
-    /** How many of 2^32 squares are to be taken, so that of some events about as many are left as are wanted. */
+    /** Number of squares to take out of 2^32, so that about as many events are left as are wanted. */
     static long share(int events, double wanted) {
         return events <= wanted ? ALL : (long) (wanted / events * ALL);
     }
 
-    /** Whether the square is taken that a place in px is on; at another time it is others. */
+    /** Whether the square with a place in px is taken; the choice of squares changes with the time. */
     static boolean isTaken(double x, double y, long us, long share) {
         if (share == ALL) {
             return true;

@@ -5,21 +5,21 @@ import io.github.sofas.flow.motion.Chance;
 import java.util.Arrays;
 
 /**
- * When the events of some time happened that fall on each pixel once they are moved along one motion: a bit for each
- * part of the time, by polarity, and by whose they are. Along the true motion of an event there are events in nearly
- * all parts; along another one only as many as chance has there.
+ * Records when events fall on each pixel once they are moved along one motion: one bit per part of the time, by
+ * polarity, and by whose the events are. Along the true motion of an event, nearly all parts have events; along another
+ * motion, only as many as chance puts there.
  */
 final class TraceMap {
-    /** Parts of the time that are told apart. */
+    /** Parts of the time that are distinguished. */
     static final int PARTS = 20;
-    /** Of the segment whose motion it is; of none; of another. */
+    /** Events of the segment whose motion it is; of no segment; of another segment. */
     static final int OWN = 0;
     static final int NOBODYS = 1;
     static final int OTHERS = 2;
 
-    /** What an event counts on the nearest pixel, above the 1 that it counts within a pixel. */
+    /** Score of an event on the nearest pixel, in addition to the 1 for an event within a pixel. */
     private static final int NEAREST = 2;
-    /** Pixels around a place on one of which an event counts. */
+    /** Pixels around a place on which an event counts. */
     private static final int AROUND = 4;
     /** Pixels around the sensor. */
     private static final int BORDER = 8;
@@ -40,7 +40,7 @@ final class TraceMap {
         top = height;
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return 2L * Long.BYTES * (sensor.width() + 2 * BORDER) * (sensor.height() + 2 * BORDER);
     }
@@ -78,12 +78,12 @@ final class TraceMap {
     }
 
     /**
-     * How well the events of the wanted parts agree with one at a place: each part counts where there is an event on
-     * one of the four pixels around the place, and {@value #NEAREST} more where there is one on the pixel that it is
-     * nearest to.
+     * How well the events of the wanted parts agree with an event at a place. Each part scores 1 if it has an event on
+     * one of the four pixels around the place, and {@value #NEAREST} more if it has one on the pixel nearest to the
+     * place.
      *
-     * @param nobodys what events of no segment count, of 1
-     * @param others what those of another segment count
+     * @param nobodys weight of events of no segment, up to 1
+     * @param others weight of events of another segment, up to 1
      */
     double claim(double x, double y, boolean isOn, long wanted, double nobodys, double others) {
         int column = (int) (x + BORDER);
@@ -98,7 +98,7 @@ final class TraceMap {
         return score(around, wanted, nobodys, others) + NEAREST * score(map[nearest], wanted, nobodys, others);
     }
 
-    /** In how many of the wanted parts there are events: those of nobody and of others count less. */
+    /** Number of wanted parts with events; those with events of nobody or of others only count less. */
     private static double score(long known, long wanted, double nobodys, double others) {
         long own = known & wanted;
         long free = known >> PARTS & wanted & ~own;
@@ -107,11 +107,11 @@ final class TraceMap {
     }
 
     /**
-     * Score of so many parts that noise seldom has: 1 for a part in which it lies on one of four pixels, and
-     * {@value #NEAREST} more where it lies on the nearest.
+     * Score of so many parts that noise seldom reaches: 1 for a part with noise on one of four pixels, and
+     * {@value #NEAREST} more for noise on the nearest one.
      *
      * @param expected noise events of a pixel and polarity in a part of the time
-     * @param sigmas standard deviations over the mean
+     * @param sigmas standard deviations above the mean
      */
     static double byNoise(double expected, int parts, double sigmas) {
         double around = Chance.share(AROUND * expected);
@@ -121,7 +121,7 @@ final class TraceMap {
         return Chance.most(parts, mean, square, sigmas);
     }
 
-    /** The parts from one on to before another. */
+    /** The parts from one to before another, as bits. */
     static long parts(int from, int until) {
         return (1L << Math.min(until, PARTS)) - (1L << Math.max(0, from)) & ALL;
     }

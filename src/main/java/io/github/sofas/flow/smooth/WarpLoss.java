@@ -6,19 +6,22 @@ import io.github.sofas.flow.motion.PixelBox;
 import java.util.List;
 
 /**
- * Takes the labels away from events that their segment's path would blur: along it, they meet less often than where
- * they are. It is the yardstick of flow without a truth (flow warp loss, Stoffregen et al. 2020), segment by segment.
- * Ours, because a path runs on where its segment stops or turns back, and is missed by what the engine knows of the
- * past only.
+ * Takes the labels away from events that the path of their segment would blur: moved along it, they meet less often
+ * than where they are. The measure is flow warp loss, which assesses flow without a ground truth (Stoffregen et al.
+ * 2020), applied segment by segment. Ours, because a path runs on where its segment stops or reverses, and the engine,
+ * which knows the past only, misses that.
  */
 final class WarpLoss {
-    /** Travel on either side of a time over which events are moved to it, in px. */
+    /** Travel on either side of a time over which events are moved to that time, in px. */
     private static final double SIDE_PX = 8;
-    /** Travel over both sides below which it does not show what is the sharper. */
+    /** Travel over both sides, in px, below which it does not show which picture is sharper. */
     private static final double LEAST_TRAVEL_PX = 2;
-    /** Fewer events than this show nothing. */
+    /** Fewest events that show anything. */
     private static final int LEAST_EVENTS = 30;
-    /** Meetings along the path, as a multiple of those at rest, that leave no doubt for half of the travel. */
+    /**
+     * Meetings along the path, as a multiple of those at rest, above which the path is beyond doubt for half of the
+     * travel.
+     */
     private static final double SURE = 1.05;
     /** Steps of the projection over both sides. */
     private static final int STEPS = 128;
@@ -35,7 +38,7 @@ final class WarpLoss {
         picture = new WarpedPicture(sensor);
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return WarpedPicture.bytes(sensor);
     }
@@ -43,7 +46,7 @@ final class WarpLoss {
     /**
      * Takes labels away from events of a segment in a slice.
      *
-     * @param slices those around it, in order
+     * @param slices the slices around it, in order
      * @param mostSideUs most time that is looked at on either side
      */
     void unlabel(SegmentPath path, List<Slice> slices, Slice slice, long mostSideUs) {
@@ -71,7 +74,7 @@ final class WarpLoss {
         }
     }
 
-    /** About the root of the mean square distance of events from their middle. */
+    /** Approximate root mean square distance of events from their middle. */
     private double radius(SegmentEvents own, int from, int until) {
         PixelBox box = new PixelBox();
         for (int k = from; k < until; k++) {
@@ -99,8 +102,8 @@ final class WarpLoss {
     }
 
     /**
-     * Draws events of a segment from one time to before another, along its path or where they are; returns how many
-     * there are.
+     * Draws the events of a segment from one time to before another, along its path or where they are; returns their
+     * number.
      */
     private int draw(SegmentPath path, List<Slice> slices, long fromUs, long untilUs, boolean isMoved) {
         picture.clear();

@@ -5,14 +5,17 @@ import io.github.sofas.flow.motion.PixelBox;
 import java.util.Arrays;
 
 /**
- * The picture that events make when they are moved to one time: how many each pixel gets, whatever their polarity. Its
- * sharpness tells whether they were moved rightly (flow warp loss, Stoffregen et al. 2020).
+ * The picture of events that are moved to one time: the number of events on each pixel, whatever their polarity. Its
+ * sharpness shows whether they were moved along their true motion (flow warp loss, Stoffregen et al. 2020).
  */
 final class WarpedPicture {
-    /** Weights of the blur, of a standard deviation of a pixel: without it, what slides along itself looks sharper. */
+    /**
+     * Weights of the blur, of a standard deviation of one pixel: without it, a structure that slides along itself looks
+     * sharper.
+     */
     private static final int[] BLUR = {6, 4, 1};
     private static final int REACH = BLUR.length - 1;
-    /** Room around the sensor for what is moved off it, in px, and for what that is blurred to. */
+    /** Room around the sensor, in px, for events that are moved off it, and for their blur. */
     private static final int BORDER = 8 + 2 * REACH;
 
     private final int width;
@@ -20,7 +23,7 @@ final class WarpedPicture {
     private final int[] counts;
     private final int[] rows;
     private final int[] line;
-    /** Around the pixels that have events. */
+    /** Box around the pixels that have events. */
     private final PixelBox box = new PixelBox();
 
     WarpedPicture(SensorSize sensor) {
@@ -31,7 +34,7 @@ final class WarpedPicture {
         line = new int[width];
     }
 
-    /** The bytes that its arrays take. */
+    /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
         return Integer.BYTES * (sensor.width() + 2L * BORDER) * (2 * (sensor.height() + 2L * BORDER) + 1);
     }
@@ -44,7 +47,7 @@ final class WarpedPicture {
         box.clear();
     }
 
-    /** Adds an event for the pixel that it is nearest to; what is moved off by more than 8 px is not seen. */
+    /** Adds an event on the nearest pixel; an event that is moved off the sensor by more than 8 px is left out. */
     void add(double x, double y) {
         int column = (int) Math.floor(x + (BORDER + 0.5));
         int row = (int) Math.floor(y + (BORDER + 0.5));
@@ -55,8 +58,8 @@ final class WarpedPicture {
     }
 
     /**
-     * How often its events meet: the sum of the squares of the blurred counts. Of the same number of events, it is the
-     * greater the sharper the picture is.
+     * How often the events meet: the sum of the squares of the blurred counts. For the same number of events, a sharper
+     * picture has a greater sum.
      */
     double meetings() {
         if (box.events == 0) {

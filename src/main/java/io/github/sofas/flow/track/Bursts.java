@@ -4,19 +4,19 @@ import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
- * Tells the first event of each burst: a strong edge that crosses a pixel changes its brightness by several thresholds,
- * and the pixel fires as often, with one polarity.
+ * Finds the first event of each burst. A strong edge that crosses a pixel changes the pixel's brightness by several
+ * contrast thresholds, and the pixel fires once for each of them, always with the same polarity.
  *
- * <p>Ours, because the first event tells when the edge came, and the others come later by times that differ from pixel
- * to pixel: measured from all of them, an edge is blurred, and a strong one counts several times.
+ * <p>Ours, because only the first event of a burst shows when the edge arrived. The others follow after delays that
+ * differ from pixel to pixel. A measurement from all of them would blur the edge and count a strong edge several times.
  */
 final class Bursts {
-    /** Eighteen minutes; then all is forgotten, and times begin at 0 again. */
+    /** Eighteen minutes. After this time all events are forgotten, and times start at 0 again. */
     private static final long LAST_US = 1 << 30;
     private static final int NEVER = -1 << 29;
 
     private final int columns;
-    /** When the last burst of each pixel began, OFF and ON, in µs since a first event. */
+    /** Start of the last burst of each pixel, OFF then ON, in µs since the first event. */
     private final int[] beganUs;
     private long firstUs;
     private boolean started;
@@ -27,15 +27,15 @@ final class Bursts {
         reset();
     }
 
-    /** Bytes of its array. */
+    /** Bytes that the array takes. */
     static long bytes(SensorSize sensor) {
         return 2L * Integer.BYTES * sensor.width() * sensor.height();
     }
 
     /**
-     * Whether an event begins a burst. One that lasts for longer than a burst does is followed by another.
+     * Whether an event begins a burst. Events that continue beyond the duration of a burst begin another one.
      *
-     * @param lastsUs how long a burst lasts
+     * @param lastsUs duration of a burst
      */
     boolean begins(int x, int y, long timeUs, int polarity, long lastsUs) {
         if (!started || timeUs - firstUs > LAST_US) {
@@ -45,7 +45,7 @@ final class Bursts {
         }
         int us = (int) (timeUs - firstUs);
         int i = 2 * (y * columns + x) + (polarity > 0 ? 1 : 0);
-        // those of the past of a structure may be handed over after others
+        // the past events of a new structure may be handed over after newer events
         boolean begins = us - beganUs[i] > lastsUs || us < beganUs[i];
         if (begins) {
             beganUs[i] = us;

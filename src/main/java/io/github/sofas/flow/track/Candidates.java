@@ -3,48 +3,52 @@ package io.github.sofas.flow.track;
 import java.util.Arrays;
 
 /**
- * The track planes that may have an event, and whose it is: that of the nearest contour, or the one that remembers its
- * place where it lies on none, unless the edge came farther along the motion of another.
+ * Collects the track planes that may own an event, and selects one of them. The event goes to the plane with the
+ * nearest contour. If it lies on no contour, it goes to the plane that remembers its place. In both cases another plane
+ * gets the event if the edge came farther along the motion of that plane.
  *
- * <p>Ours. A contour has what its plane was given before, so that of structures that overlap the one that has been
- * given more gets more; {@link PixelHistory} knows the events of late whatever they were taken for. Edges that come as
- * far along several motions, as those of the pieces that a body is found in, stay with their piece. What comes out from
- * behind a body is on no contour: the body would remember its place, follow it, and be carried away. Nor is what enters
- * the picture: its trace is cut off by the border, so that any other had a longer one by chance, and was carried along
- * the border. Between a wall and what moves before it, {@link Ground} decides.
+ * <p>Ours. A contour consists of the events that its plane was given before. Where structures overlap, the one that was
+ * given more events would therefore get still more. {@link PixelHistory} knows the recent events, whatever they were
+ * taken for. Edges that come equally far along several motions, as those of the pieces that a body is found in, stay
+ * with their piece.
+ *
+ * <p>Two kinds of structure have no contour yet. One comes out from behind a body: the body would remember the place,
+ * follow the events, and be carried away. The other enters the picture: the border cuts off its trace, so that any
+ * other plane would have a longer one by chance, and would be carried along the border. Between a wall and a structure
+ * that moves in front of it, {@link Ground} decides.
  */
 final class Candidates {
-    /** Close support decides which contour is nearest, and support by all cells around it where that is the same. */
+    /** Weight of close support in a score: it decides which contour is nearest, and the full support breaks ties. */
     private static final int CLOSE_WEIGHT = 4 * ContourCells.SIXTEENTHS;
-    /** Score of the second contour, as a share of the nearest, that hides the velocity: crossing objects pull. */
+    /** Share of the nearest contour's score above which a second one hides the velocity: crossing objects pull. */
     private static final double SHARED_SCORE = 0.5;
-    /** Support below this many thresholds is weak. */
+    /** Support below this multiple of the threshold is weak. */
     private static final int WEAK = 2;
-    /** Least trace of a remembered event that another plane may have: noise has none. */
+    /** Least trace of a remembered event that another plane may own: noise has no trace. */
     private static final int LEAST_TRACE = 2;
     /**
-     * Standard deviations by which the trace of a remembered event must pass that of noise; of one that is not, for
-     * which many motions are asked.
+     * Standard deviations by which the trace along the motion of the remembering plane must exceed that of noise; and
+     * the same for a plane that does not remember the event, where many motions are tried.
      */
     private static final double REMEMBERED_SIGMAS = 3;
     private static final double OTHER_SIGMAS = 5;
-    /** What noise must be able to have for a remembered event that no other plane may have to need as much. */
+    /** Trace of noise from which on a remembered event must exceed noise even if no other plane may own the event. */
     private static final int DARK_TRACE = 5;
-    /** What its trace must be longer by along the motion of a plane that does not remember it. */
+    /** Margin by which the trace along the motion of a plane that does not remember the event must be longer. */
     private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
-    /** Live events of a texture, at least: where one that has fewer enters, most of the events are not its own. */
+    /** Fewest live events of a texture: where a smaller structure enters, most of the events are not its own. */
     private static final int LEAST_OF_TEXTURE = 2000;
-    /** Trace by which an edge came along a motion beyond doubt, also where all of a wall fires around it. */
+    /** Trace that proves that an edge came along a motion, even where a whole wall fires around the edge. */
     private static final int SURE_TRACE = 6 * PixelHistory.ON_THE_PIXEL;
 
-    /** Those that expect it; as long as none does, all that were offered it. */
+    /** Planes that expect the event; as long as none does, all planes that it was offered to. */
     private TrackPlane[] planes = new TrackPlane[16];
     private int size;
     private TrackPlane nearest;
-    /** Scores of the nearest contour and of the second. */
+    /** Scores of the nearest and of the second contour. */
     private int most;
     private int second;
-    // of the plane that has the event
+    // of the plane that gets the event
     private TrackPlane best;
     private int support;
     private int closeSupport;
@@ -52,12 +56,12 @@ final class Candidates {
     private final TracedEvent event;
     private final Ground ground = new Ground();
 
-    /** Makes one whose events' edges are traced by a history. */
+    /** Creates candidates that trace the edges of events by a history. */
     Candidates(PixelHistory history) {
         event = new TracedEvent(history);
     }
 
-    /** Begins with an event. */
+    /** Starts with a new event. */
     void begin(int x, int y, long timeUs, int polarity) {
         event.begin(x, y, timeUs, polarity);
         size = 0;
@@ -69,7 +73,7 @@ final class Candidates {
         second = Integer.MIN_VALUE;
     }
 
-    /** Considers a plane in whose box the event lies; it expects the event if that lies on its contour. */
+    /** Considers a plane whose box holds the event. The plane expects the event if the event lies on its contour. */
     void offer(TrackPlane plane) {
         ground.offer(plane);
         int its = event.support(plane);
@@ -103,7 +107,7 @@ final class Candidates {
         planes[size++] = plane;
     }
 
-    /** The plane that the event belongs to; null where none expects it. */
+    /** Returns the plane that the event belongs to; null if no plane expects the event. */
     TrackPlane best() {
         best = nearest;
         if (nearest != null && size > 1) {
@@ -122,10 +126,10 @@ final class Candidates {
         return best;
     }
 
-    /** The plane that has the event, or the ground that it moves before, or a body before it if that is the ground. */
+    /** Returns the best plane, the ground behind it, or, if the best plane is the ground, a body in front of it. */
     private TrackPlane beforeGround() {
         if (best == ground.plane()) {
-            // the only other one needs no trace
+            // a single other plane is the body without a trace
             TrackPlane body = size == 2 ? planes[planes[0] == best ? 1 : 0] : farther(-1, best);
             return ground.yields(body, event) ? body : best;
         }
@@ -133,12 +137,13 @@ final class Candidates {
     }
 
     /**
-     * The plane that has the event where none expects it: the texture that enters the picture there, unless the edge
-     * came along the motion of another beyond doubt; or the ground, where that comes out from behind a body.
+     * Returns the plane that gets the event although no plane expects it. A texture that enters the picture there gets
+     * it, unless the edge clearly came along the motion of another plane. The ground gets it where the ground comes out
+     * from behind a body.
      *
-     * @param remembering the plane that remembers its place; null for none
-     * @param noise how many noise events a pixel gives of either polarity, per µs
-     * @return null where its edge came along no motion, or no farther than noise would
+     * @param remembering the plane that remembers the place of the event; null for none
+     * @param noise noise events per pixel and per µs, of each polarity
+     * @return null if the edge came along no motion, or no farther than noise would
      */
     TrackPlane unexpected(TrackPlane remembering, double noise) {
         TrackPlane its = byTrace(remembering, noise);
@@ -147,12 +152,12 @@ final class Candidates {
             return its;
         }
         isAppearing = true;
-        // it is the event whose support was asked for last
+        // the contour must know this event as the one whose support was asked for last
         event.support(appearing);
         return appearing;
     }
 
-    /** The texture that comes into sight where another plane would have the event, or none; null for none. */
+    /** Returns the texture that comes into sight at the event, which another plane may get otherwise; null for none. */
     private TrackPlane appearing(TrackPlane other) {
         TrackPlane entering = event.isNearBorder() ? entering() : null;
         if (other == null) {
@@ -164,7 +169,7 @@ final class Candidates {
         return ground.has(other, event) ? ground.plane() : null;
     }
 
-    /** The widest of the textures that enter the picture at a place and go on from there; null for none. */
+    /** Returns the widest texture that enters the picture at the event and continues from there; null for none. */
     private TrackPlane entering() {
         TrackPlane widest = null;
         for (int i = 0; i < size; i++) {
@@ -178,7 +183,7 @@ final class Candidates {
         return widest;
     }
 
-    /** The plane along whose motion the edge came, or that remembers its place. */
+    /** Returns the plane along whose motion the edge came, or the one that remembers its place; null for neither. */
     private TrackPlane byTrace(TrackPlane remembering, double noise) {
         int least = remembering == null ? 0 : noiseTrace(remembering, noise, REMEMBERED_SIGMAS);
         if (!isOfferedBeside(remembering)
@@ -204,7 +209,7 @@ final class Candidates {
         return size > 1 || size == 1 && planes[0] != plane;
     }
 
-    /** The plane along whose motion the edge came farthest, if by more than a trace; else the one that is known. */
+    /** Returns the plane along whose motion the edge came farthest, if farther than a trace; else the known plane. */
     private TrackPlane farther(int trace, TrackPlane known) {
         int farthest = trace;
         TrackPlane its = known;
@@ -220,22 +225,22 @@ final class Candidates {
         return its;
     }
 
-    /** Whether the plane that has the event has it because both come into sight there. */
+    /** Whether the plane gets the event because its structure comes into sight there. */
     boolean isAppearing() {
         return isAppearing;
     }
 
-    /** Whether it is doubtful that the event is of the plane that has it. */
+    /** Whether it is doubtful that the event belongs to the plane that gets it. */
     boolean isDoubtful() {
         return closeSupport < best.sureSupport();
     }
 
-    /** Whether two contours are about as near, so that the event should measure neither motion. */
+    /** Whether two contours are about equally near, so that the event should measure neither motion. */
     boolean areClose() {
         return second > SHARED_SCORE * most;
     }
 
-    /** Whether the support by the contour of the plane that has the event is weak. */
+    /** Whether the contour of the plane that gets the event supports it only weakly. */
     boolean isWeak() {
         return support < WEAK * best.threshold();
     }

@@ -2,15 +2,15 @@ package io.github.sofas.flow.track;
 
 /** Why a track plane takes an event. */
 enum Claim {
-    /** It lies on this contour alone. */
+    /** The event lies on the contour of this plane alone. */
     OWN,
-    /** It lies on another's contour, too: it shows nothing of the motion. */
+    /** The event lies on the contour of another plane, too, so that it shows nothing of the motion. */
     SHARED,
-    /** It lies on no contour, but where the structure was seen, or in its box: it may be noise. */
+    /** The event lies on no contour, but where the structure was seen before, or in its box. It may be noise. */
     REMEMBERED,
     /**
-     * It lies not on its contour, but comes into sight where the structure does, from beyond the border or from behind
-     * what moves before it, and the structure's texture goes on from there.
+     * The event does not lie on the contour, but comes into sight where the structure does: from beyond the border, or
+     * from behind a body in front of the structure. The structure's texture continues from there.
      */
     APPEARING
 }

@@ -1,11 +1,11 @@
 package io.github.sofas.flow.track;
 
 /**
- * The older structure that moves as another one does, and how far: one at a time, until the two have moved alike no
- * farther than otherwise, or either ends.
+ * The older structure that moves as this one does, and how far the two have moved alike. There is one companion at a
+ * time. It is given up when the two have moved alike no farther than differently, or when either ends.
  */
 final class Companion {
-    /** Time without a look at it after which there may be another: several times that between two looks. */
+    /** Time without a look at it after which another may become the companion: several times that between looks. */
     private static final long LOST_US = 20_000;
     private static final int NONE = 0;
 
@@ -13,21 +13,21 @@ final class Companion {
     private double togetherPx;
     private long lastUs;
 
-    /** Begins alone. */
+    /** Starts without a companion. */
     void start() {
         id = NONE;
         togetherPx = 0;
     }
 
-    /** Whether a structure is the companion, or may become it. */
+    /** Whether a structure is, or may become, the companion. */
     boolean mayBe(int other, long nowUs) {
         return id == other || id == NONE || nowUs - lastUs > LOST_US;
     }
 
     /**
-     * Notes whether a structure that may be the companion moves as this does.
+     * Notes whether a structure that may be the companion moves as this one does.
      *
-     * @param pxPerS that their way grows by, in px/s
+     * @param pxPerS rate at which their common travel grows, in px/s
      */
     void note(int other, boolean isAlike, double pxPerS, long nowUs) {
         if (id != other || nowUs - lastUs > LOST_US) {
@@ -43,7 +43,7 @@ final class Companion {
         }
     }
 
-    /** How far the two have moved alike, less how far they have moved otherwise; 0 without a companion. */
+    /** Travel over which the two moved alike, less the travel over which they did not; 0 without a companion. */
     double togetherPx() {
         return togetherPx;
     }

@@ -7,33 +7,33 @@ import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
- * The contour of a track plane: where in its frame its events fell of late (paper, section Track Plane). An event lies
- * on it that has enough support by {@link ContourCells}.
+ * The contour of a track plane: the places in its frame where its events fell recently (paper, section Track Plane). An
+ * event lies on the contour if it has enough support by the {@link ContourCells}.
  *
- * <p>Ours: events are let go by sixteenths of the time for which they are held, mostly the lifetime, instead of one by
- * one, and stay where they are when the motion is known a little better. So a label costs the same at any density, and
- * all else is paid per travel.
+ * <p>Ours: the contour drops events by sixteenths of the time for which it holds them, mostly the lifetime, instead of
+ * one by one. Events also stay on their cells when the motion becomes a little better known. A label therefore costs
+ * the same at any event density, and all other costs are per travel.
  */
 final class Contour {
-    /** Departure of the frame from the sensor at which it is anchored anew, in px; less than the margin. */
+    /** Departure of the frame from the sensor at which the frame is anchored anew, in px; less than the margin. */
     private static final double FARTHEST_PX = 12;
-    /** Least shift over the lifetime by a correction of the motion for the contour to be drawn anew, in px. */
+    /** Shift over half the lifetime, by a correction of the motion, beyond which the contour is drawn anew, in px. */
     static final double REDRAWN_PX = 0.5;
-    /** Room around the box that the contour does not leave, for the frame's steps and for what is rounded, in px. */
+    /** Extra room around the box of {@link #reach}, for the steps of the frame and for rounding, in px. */
     private static final double REACH_ROOM_PX = 1;
-    /** Distance from the border of the sensor within which the contour may be cut off by it, in px. */
+    /** Distance from the border of the sensor within which the border may cut off the contour, in px. */
     private static final double BORDER_PX = 2;
-    /** Live events are projected onto it in steps of this part of a pixel. */
+    /** Step, in px, by which live events are projected onto the contour. */
     static final double PROJECTED_STEP_PX = 1.0 / 16;
-    /** Steps in which it is looked for ahead of a place, in px. */
+    /** Step, in px, of the search for more of the contour ahead of a place. */
     private static final double STEP_PX = 4;
-    /** Breadth of what is wide, as a share of the sensor's shorter side: all of that has 0.29. */
+    /** Breadth from which on a contour is wide, as a share of the sensor's shorter side; all of that side has 0.29. */
     private static final double WIDE = 0.2;
 
     private final int sensorWidth;
     private final int sensorHeight;
     private ContourCells cells;
-    /** Cells to anchor anew with, of any contour. */
+    /** Empty cells for anchoring anew, shared by the contours of a sensor. */
     private final Spare spare;
     private final Frame frame = new Frame();
     private final SteppedProjection past = new SteppedProjection();
@@ -47,10 +47,10 @@ final class Contour {
     private final ContourFigures figures = new ContourFigures();
     private final Bounds box = new Bounds();
     private final Bounds reached = new Bounds();
-    /** Whether it may lie elsewhere than was told last. */
+    /** Whether the contour may have left the box that {@link #reach} returned last. */
     private boolean changedReach;
 
-    /** Empty cells that contours of one sensor use in turn while they are anchored anew. */
+    /** Empty cells that the contours of one sensor use in turn while they are anchored anew. */
     static final class Spare {
         private ContourCells cells;
 
@@ -66,12 +66,12 @@ final class Contour {
         cells = new ContourCells(sensor);
     }
 
-    /** Bytes of its arrays. */
+    /** Bytes that the arrays take. */
     static long bytes(SensorSize sensor) {
         return ContourCells.bytes(sensor);
     }
 
-    /** Begins without events, along a motion. */
+    /** Starts without events, along a motion. */
     void start(Motion along) {
         wipe();
         frame.anchor(along, 0);
@@ -85,7 +85,7 @@ final class Contour {
         return figures.threshold();
     }
 
-    /** Close support below which it is doubtful whether an event is of the structure. */
+    /** Close support below which it is doubtful whether an event belongs to the structure. */
     double sureSupport() {
         return figures.sureSupport();
     }
@@ -99,22 +99,22 @@ final class Contour {
         return figures.centreY();
     }
 
-    /** Distance of the contour from its centre, root of the mean square, in px. */
+    /** Root mean square distance of the contour from its centre, in px. */
     double radius() {
         return figures.radius();
     }
 
-    /** Its standard deviation along the axis in which it is narrowest, in px: that of a square by 0.29 of its side. */
+    /** Standard deviation of the contour along its narrowest axis, in px; a square has 0.29 of its side. */
     double breadth() {
         return figures.breadth();
     }
 
-    /** Whether it fills the picture from side to side, as a wall does: no bar is as broad. */
+    /** Whether the contour fills the picture from side to side, as a wall does: no bar is as broad. */
     boolean isWide() {
         return breadth() >= WIDE * Math.min(sensorWidth, sensorHeight);
     }
 
-    /** Expects events of either polarity where those of one were seen, or of that one alone. */
+    /** Sets whether events of either polarity are expected where one polarity was seen, or of that polarity alone. */
     void expectEither(boolean either) {
         expectsEither = either;
     }
@@ -123,7 +123,7 @@ final class Contour {
         return expectsEither ? ContourCells.EITHER : polarity;
     }
 
-    /** Support of an event by the events of late around its cell. */
+    /** Returns the support of an event by the recent events around its cell. */
     int support(int x, int y, long timeUs, int polarity) {
         frame.advance(timeUs);
         lastX = frame.x(x, y);
@@ -131,7 +131,7 @@ final class Contour {
         return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), expected(polarity));
     }
 
-    /** Whether some of it lies a step or two ahead of a place, the way that it moves. */
+    /** Whether some of the contour lies a step or two ahead of a place, in the direction of its motion. */
     boolean goesOnFrom(int x, int y, long timeUs) {
         double vx = frame.motion().vxAt(x, y, timeUs);
         double vy = frame.motion().vyAt(x, y, timeUs);
@@ -141,14 +141,14 @@ final class Contour {
         return isOn(x + dx, y + dy, timeUs) || isOn(x + 2 * dx, y + 2 * dy, timeUs);
     }
 
-    /** Whether an event of either polarity would be on it. */
+    /** Whether an event of one polarity or the other would lie on the contour. */
     private boolean isOn(int x, int y, long timeUs) {
         return support(x, y, timeUs, 1) >= threshold() || support(x, y, timeUs, -1) >= threshold();
     }
 
     /**
-     * A box of the sensor, as {@link Reaches} has them, beyond which no event has support until a time, unless the
-     * contour grows or follows another motion; {@link #hasChangedReach} tells that.
+     * Returns a box of the sensor, in the format of {@link Reaches}, beyond which no event has support until a time.
+     * The box holds unless the contour grows or follows another motion, which {@link #hasChangedReach} reports.
      */
     long reach(long nowUs, long untilUs) {
         changedReach = false;
@@ -171,12 +171,12 @@ final class Contour {
             reached.bottom() + room);
     }
 
-    /** Whether it has grown or followed another motion since its reach was asked for. */
+    /** Whether the contour has grown or followed another motion since the last {@link #reach}. */
     boolean hasChangedReach() {
         return changedReach;
     }
 
-    /** Support by the cells nearest, of the event whose support was asked for last and that has any. */
+    /** Returns the support by the four nearest cells of the event whose support was asked for last, if it had any. */
     int closeSupport(int polarity) {
         return cells.closeSupport(ContourCells.firstOfTwo(lastX), ContourCells.firstOfTwo(lastY), expected(polarity));
     }
@@ -184,7 +184,7 @@ final class Contour {
     /**
      * Notes an event on its cell.
      *
-     * @param ageUs how long ago it was, of the time for which events are held
+     * @param ageUs age of the event, to be compared with the time for which events are held
      */
     void add(int x, int y, long timeUs, int polarity, long ageUs, long heldUs) {
         frame.advance(timeUs);
@@ -195,12 +195,12 @@ final class Contour {
         return (int) Math.min(ContourCells.SIXTEENTHS, ageUs * ContourCells.SIXTEENTHS / Math.max(1, heldUs));
     }
 
-    /** Notes the event whose support was asked for last, as one of now. */
+    /** Notes the event whose support was asked for last, with age 0. */
     void addLast(int polarity) {
         changedReach |= cells.see(lastX, lastY, polarity, 0);
     }
 
-    /** Lets go what is older than the time for which events are held. */
+    /** Drops events that are older than the time for which events are held. */
     void fade(long nowUs, long heldUs) {
         long dueUs = Math.max(1, heldUs / ContourCells.SIXTEENTHS);
         if (isEmpty()) {
@@ -222,13 +222,13 @@ final class Contour {
         }
     }
 
-    /** How far the frame lies from the sensor at a cell. */
+    /** Distance of the frame from the sensor at a cell, in px. */
     private double departurePx(int cx, int cy) {
         return frame.departurePx(frame.toReferenceX(cx - ContourCells.MARGIN, cy - ContourCells.MARGIN),
             frame.toReferenceY(cx - ContourCells.MARGIN, cy - ContourCells.MARGIN));
     }
 
-    /** Anchors the frame anew: each cell takes over what was seen by the cell that was where it is. */
+    /** Anchors the frame anew. Each cell takes over the events of the old cell at its place. */
     private void anchor() {
         ContourCells from = cells;
         cells = spare.cells;
@@ -245,7 +245,7 @@ final class Contour {
         from.wipe();
     }
 
-    /** Takes over what was seen by another contour of the sensor, cell by cell; both follow a motion from then on. */
+    /** Takes over the events of another contour of the sensor, cell by cell. Both follow a motion from then on. */
     void absorb(Contour other, Motion along) {
         changedReach = true;
         frame.follow(along, radius());
@@ -279,19 +279,19 @@ final class Contour {
     /**
      * Measures threshold, centre, radius and breadth from some of the live events.
      *
-     * @param along the motion that the contour follows, with its reference at now
+     * @param along the motion that the contour follows, with the current time as its reference
      * @param noiseSupport support that noise may have
      */
     void measure(LiveEvents live, Motion along, int noiseSupport) {
         figures.measure(cells, frame, live, along, expectsEither, noiseSupport);
     }
 
-    /** Whether an event of either polarity on an occupied cell is on the contour. */
+    /** Whether a cell is occupied, and would put an event of one polarity or the other on the contour. */
     private boolean isContour(int cx, int cy) {
         return cells.isOccupied(cx, cy) && cells.support(cx, cy, ContourCells.EITHER) >= threshold();
     }
 
-    /** Shows the occupied cells that would put an event of either polarity on the contour, carried on to a time. */
+    /** Shows the occupied cells that would put an event on the contour, moved on to a time. */
     void show(long nowUs, PixelConsumer pixels) {
         Motion motion = frame.motion();
         double dt = (nowUs - motion.referenceUs) * 1e-6;
@@ -310,7 +310,10 @@ final class Contour {
         }
     }
 
-    /** Its box at a time, in px of the sensor, which it may leave; until it is asked for again. Not of an empty one. */
+    /**
+     * Returns the box of the contour at a time, in px of the sensor. The box may reach beyond the sensor; that of an
+     * empty contour has no meaning. The returned object is reused by the next call.
+     */
     Bounds box(long nowUs) {
         Motion motion = frame.motion();
         double travelX = motion.vx * (nowUs - motion.referenceUs) * 1e-6;
@@ -328,12 +331,12 @@ final class Contour {
         return frame.toReferenceY((cells.minX() + cells.maxX()) / 2.0 - ContourCells.MARGIN, cy - ContourCells.MARGIN);
     }
 
-    /** Whether a place of the sensor lies in its box, or beside it by so many px at most. */
+    /** Whether a place of the sensor lies in the box of the contour, or within a margin of it. */
     boolean isAround(int x, int y, double marginPx, long nowUs) {
         return !isEmpty() && box(nowUs).isAround(x, y, marginPx);
     }
 
-    /** Widens a box so that it holds its own. */
+    /** Widens a box so that it holds the box of the contour. */
     void includeIn(Bounds other, long nowUs) {
         if (!isEmpty()) {
             Bounds its = box(nowUs);
@@ -342,19 +345,19 @@ final class Contour {
         }
     }
 
-    /** Whether its box and that of another contour lie no farther apart than a gap in px, along both axes. */
+    /** Whether the boxes of this and another contour lie no farther apart than a gap in px, along both axes. */
     boolean isWithin(double gap, Contour other, long nowUs) {
         return box(nowUs).isWithin(gap, other.box(nowUs));
     }
 
-    /** Whether all of it lies within the sensor, and none so near the border that more may lie beyond. */
+    /** Whether the whole contour lies on the sensor, and not so near the border that more of it may lie beyond. */
     boolean isInside(long nowUs) {
         Bounds its = box(nowUs);
         return !isEmpty() && its.left() > BORDER_PX && its.top() > BORDER_PX
             && its.right() < sensorWidth - 1 - BORDER_PX && its.bottom() < sensorHeight - 1 - BORDER_PX;
     }
 
-    /** Whether all of it lies beyond the sensor. */
+    /** Whether the whole contour lies beyond the sensor. */
     boolean hasLeft(long nowUs) {
         Bounds its = box(nowUs);
         return !isEmpty() && (its.right() < 0 || its.left() >= sensorWidth || its.bottom() < 0

@@ -5,22 +5,25 @@ import io.github.sofas.flow.motion.Bounds;
 import java.util.Arrays;
 
 /**
- * When events fell on each cell of a track plane's frame, ON and OFF apart: a bit for each sixteenth of the lifetime,
- * the newest highest; and the box of the cells that hold any. A cell is as large as a pixel. ON has the low half of an
- * int and OFF the high one: what is around an event is nine numbers on three lines of the cache.
+ * Records when events fell on each cell of a track plane's frame, separately for ON and OFF: one bit per sixteenth of
+ * the lifetime, the newest in the highest bit. Also keeps the box of the occupied cells. A cell is as large as a pixel.
+ * ON has the low half of an int and OFF the high half, so that the surroundings of an event are nine numbers on three
+ * cache lines.
  *
- * <p>Ours: sixteenths count, not events, because what moves otherwise crosses a cell in a part of the lifetime, with as
- * many events as what belongs there brings in all of it. The 3 x 3 cells around an event support it; those of the other
- * polarity count against it by half. A contour one cell wide would lose events to jitter, and an edge seldom fires both
- * ways, while what merely flickers does. Whose an event is, and whether it is doubtful, tell the four cells nearest:
- * in a texture, there are edges of either polarity among nine cells wherever an event lies.
+ * <p>Ours: support counts sixteenths, not events. A structure that moves differently crosses a cell in a part of the
+ * lifetime, with as many events as the structure of the cell gives in all of it. The 3 x 3 cells around an event
+ * support it, and events of the other polarity count against it by half: a contour one cell wide would lose events to
+ * jitter, and an edge seldom fires both polarities, while mere flicker does.
+ *
+ * <p>The four nearest cells decide whose an event is, and whether it is doubtful. In a texture, nine cells hold
+ * edges of either polarity wherever an event lies.
  */
 final class ContourCells {
-    /** Cells around the sensor, for what leaves it between two anchorings of the frame. */
+    /** Cells on each side of the sensor, for the part of a contour that leaves it until the frame is anchored anew. */
     static final int MARGIN = 24;
-    /** Parts of the lifetime that are told apart. */
+    /** Number of parts of the lifetime that are distinguished. */
     static final int SIXTEENTHS = Short.SIZE;
-    /** In place of a polarity, the one of which more was seen. */
+    /** In place of a polarity: the polarity that was seen in more sixteenths. */
     static final int EITHER = 0;
     private static final int NEWEST = 1 << SIXTEENTHS - 1;
     private static final int ALL = (1 << SIXTEENTHS) - 1;
@@ -30,10 +33,10 @@ final class ContourCells {
     /** Sixteenths in which ON and OFF events fell on each cell, OFF in the high half. */
     private final int[] seen;
 
-    /** Around others that are taken over. */
+    /** Box of the cells that {@link #takeTurned} takes over. */
     private final Bounds turned = new Bounds();
 
-    // box of the occupied cells, a cell wider all round; beyond it there is no support
+    // box of the occupied cells, one cell wider on all sides; beyond it there is no support
     private int minX;
     private int minY;
     private int maxX;
@@ -46,18 +49,18 @@ final class ContourCells {
         forgetBox();
     }
 
-    /** Bytes of its arrays. */
+    /** Bytes that the arrays take. */
     static long bytes(SensorSize sensor) {
         return (long) Integer.BYTES * (sensor.width() + 2 * MARGIN) * (sensor.height() + 2 * MARGIN);
     }
 
-    /** Column or row of the cell at a place in the frame, in px; negative where it lies far before the first. */
+    /** Returns the column or row of the cell at a place in the frame, in px; negative far before the first cell. */
     static int cell(double place) {
-        // the cast rounds towards zero, so that the first cell is as wide as two: it holds nothing
+        // the cast rounds towards zero, so that the first cell is twice as wide; it never holds an event
         return (int) (place + (MARGIN + 0.5));
     }
 
-    /** Column or row of the first of the two cells nearest to a place in the frame, one of which is its own. */
+    /** Returns the column or row of the first of the two cells nearest to a place, one of which contains the place. */
     static int firstOfTwo(double place) {
         return (int) (place + MARGIN);
     }
@@ -69,7 +72,7 @@ final class ContourCells {
         maxY = 0;
     }
 
-    /** First column of the box; as the other sides the cell's own, never one at the grid's border. */
+    /** First column of the box. All four sides are inclusive, and never lie on the border of the grid. */
     int minX() {
         return minX;
     }
@@ -101,8 +104,8 @@ final class ContourCells {
     }
 
     /**
-     * Twice the sixteenths in which events of an event's own polarity fell around a cell, less those of the other: -16
-     * to 32; 0 beyond the box.
+     * Returns twice the sixteenths in which events of the given polarity fell on the 3 x 3 cells around a cell, less
+     * the sixteenths of the other polarity: -16 to 32; 0 beyond the box.
      *
      * @param polarity 1 or -1; {@link #EITHER} for the one that has more
      */
@@ -121,9 +124,10 @@ final class ContourCells {
     }
 
     /**
-     * The same by the four cells nearest to an event, whose own cell lies in the box, so that the others exist.
+     * Returns the support by the four cells nearest to an event. The event's own cell must lie in the box, so that all
+     * four cells exist.
      *
-     * @param firstX the {@link #firstOfTwo} of its column, and firstY of its row
+     * @param firstX the {@link #firstOfTwo} of the event's column, as firstY is of its row
      */
     int closeSupport(int firstX, int firstY, int polarity) {
         int c = firstY * width + firstX;
@@ -131,7 +135,7 @@ final class ContourCells {
         return support(seen[c] | seen[c + 1] | seen[down] | seen[down + 1], polarity);
     }
 
-    /** The box keeps one cell from the grid's border, so that the neighbours exist. */
+    /** Unites the sixteenths of 3 x 3 cells. The box keeps one cell from the grid's border, so that all nine exist. */
     private int around(int c) {
         int[] cells = seen;
         int up = c - width;
@@ -141,9 +145,9 @@ final class ContourCells {
     }
 
     /**
-     * Notes an event on the cell at a place in the frame, unless that lies at the border of the grid or beyond.
+     * Notes an event on the cell at a place in the frame, unless that cell lies on the border of the grid or beyond.
      *
-     * @param age in sixteenths, 0 for an event of now; from 16 on it is none
+     * @param age in sixteenths, 0 for a current event; from 16 on the event is not noted
      * @return whether the box may have grown
      */
     boolean see(double x, double y, int polarity, int age) {
@@ -171,7 +175,7 @@ final class ContourCells {
         }
     }
 
-    /** Lets so many sixteenths pass. */
+    /** Advances time by some sixteenths: drops older events, and shrinks the box to the cells still occupied. */
     void pass(int sixteenths) {
         int shift = Math.min(sixteenths, SIXTEENTHS);
         int fromX = minX;
@@ -187,7 +191,7 @@ final class ContourCells {
 
     private void pass(int from, int to, int shift) {
         int[] cells = seen;
-        // what of ON passes below its half's end falls out, and of OFF into ON's half is cut off
+        // ON bits that pass the end of their half fall out, and OFF bits that pass into the half of ON are masked
         int left = ALL >> shift;
         int both = left << SIXTEENTHS | left;
         for (int c = from; c <= to; c++) {
@@ -211,7 +215,7 @@ final class ContourCells {
         include(last, cy);
     }
 
-    /** Takes over, into empty cells, what was seen by others that many cells farther to the right and down. */
+    /** Takes over, into empty cells, the events of other cells that lie dx cells farther right and dy farther down. */
     void takeShifted(ContourCells from, int dx, int dy) {
         for (int cy = Math.max(1, from.minY - dy); cy <= Math.min(height - 2, from.maxY - dy); cy++) {
             for (int cx = Math.max(1, from.minX - dx); cx <= Math.min(width - 2, from.maxX - dx); cx++) {
@@ -220,7 +224,7 @@ final class ContourCells {
         }
     }
 
-    /** The same of others that a frame has turned, scaled and shifted. */
+    /** Takes over, into empty cells, the events of other cells that a frame has turned, scaled and shifted. */
     void takeTurned(ContourCells from, Frame frame) {
         turned.clear();
         for (int corner = 0; corner < 4; corner++) {
@@ -249,7 +253,7 @@ final class ContourCells {
         }
     }
 
-    /** Adds what was seen by others, of another frame that follows the same motion. */
+    /** Adds the events of other cells, whose frame follows the same motion. */
     void absorb(ContourCells other, Frame its, Frame own) {
         for (int cy = other.minY; cy <= other.maxY; cy++) {
             for (int cx = other.minX; cx <= other.maxX; cx++) {
@@ -263,7 +267,7 @@ final class ContourCells {
         }
     }
 
-    /** Adds sixteenths to a cell, unless that lies at the border of the grid or beyond. */
+    /** Adds sixteenths to a cell, unless the cell lies on the border of the grid or beyond. */
     private void add(int cx, int cy, int of) {
         if (cx >= 1 && cy >= 1 && cx < width - 1 && cy < height - 1) {
             seen[cy * width + cx] |= of;

@@ -4,17 +4,17 @@ import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
- * What is measured of a contour from some of its live events: where it lies, how large it is, and how much support its
- * own events have, which tells what support an event needs.
+ * Figures of a contour, measured from some of its live events: its place, its size, and the mean support of its own
+ * events. That mean determines how much support an event needs to lie on the contour.
  */
 final class ContourFigures {
-    /** Support of two sixteenths: less never puts an event on the contour. */
+    /** Support by two sixteenths: less never puts an event on the contour. */
     private static final int LEAST_SUPPORT = 4;
-    /** Share of the mean support that puts an event on the contour: one a pixel wide loses events to jitter. */
+    /** Share of the mean support that puts an event on the contour. A contour a pixel wide loses events to jitter. */
     private static final double SHARE = 0.25;
-    /** Share of the mean close support below which it is doubtful whether an event is of the structure. */
+    /** Share of the mean close support below which it is doubtful whether an event belongs to the structure. */
     private static final double SURE_SHARE = 0.6;
-    /** Live events that are looked at. */
+    /** Number of live events that are measured, about. */
     private static final int SAMPLE = 256;
 
     private final SteppedProjection past = new SteppedProjection();
@@ -25,7 +25,7 @@ final class ContourFigures {
     private double radius;
     private double breadth;
 
-    /** Begins with nothing known. */
+    /** Starts with nothing known: all events are doubtful. */
     void start() {
         threshold = LEAST_SUPPORT;
         sureSupport = Double.MAX_VALUE;
@@ -40,7 +40,7 @@ final class ContourFigures {
         return threshold;
     }
 
-    /** Close support below which it is doubtful whether an event is of the structure. */
+    /** Close support below which it is doubtful whether an event belongs to the structure. */
     double sureSupport() {
         return sureSupport;
     }
@@ -54,21 +54,21 @@ final class ContourFigures {
         return centreY;
     }
 
-    /** Distance of the contour from its centre, root of the mean square, in px. */
+    /** Root mean square distance of the contour from its centre, in px. */
     double radius() {
         return radius;
     }
 
-    /** Its standard deviation along the axis in which it is narrowest, in px: that of a square by 0.29 of its side. */
+    /** Standard deviation of the contour along its narrowest axis, in px; a square has 0.29 of its side. */
     double breadth() {
         return breadth;
     }
 
     /**
-     * Measures the live events that lie in the box of the contour; of none, nothing but the size is another.
+     * Measures the live events that lie in the box of the contour. If there are none, only the size changes, to 0.
      *
-     * @param along the motion that the contour follows, with its reference at now
-     * @param isEither whether events of either polarity are expected where those of one were seen
+     * @param along the motion that the contour follows, with the current time as its reference
+     * @param isEither whether events of either polarity are expected where one polarity was seen
      * @param noiseSupport support that noise may have
      */
     void measure(ContourCells cells, Frame frame, LiveEvents live, Motion along, boolean isEither, int noiseSupport) {

@@ -6,26 +6,28 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * What a structure has looked like: where its contour was seen, in coordinates that travel, turn, grow and are deformed
- * with it, but for perspective, remembered for a while after its live events have gone. Ours, because an edge that was
- * hidden, or that moved along itself, would else come back as a structure of its own. And which of its places are its
- * own, and not of what it moves before.
+ * Remembers what a structure has looked like: where its contour was seen, for a while after its live events have gone.
+ * The coordinates travel, turn, grow and are deformed with the structure, but for perspective. Ours, because an edge
+ * that was hidden, or that moved along itself, would otherwise come back as a structure of its own.
  *
- * <p>Cells are 2 x 2 px on a torus that is larger than the sensor; each holds when it was seen last, and every four of
- * them how much farther edges came there along the structure's motion than along that of what lies behind.
+ * <p>Also knows which places belong to the structure, and which to the texture behind it.
+ *
+ * <p>Cells are 2 x 2 px, on a torus that is larger than the sensor. Each cell holds the time at which it was last seen.
+ * Each group of four cells holds a lead: how much farther edges came there along the structure's motion than along the
+ * motion of the texture behind.
  */
 final class ContourMemory {
-    /** Ticks are 1,024 us. */
+    /** A tick is 1,024 µs. */
     private static final int TICK_BITS = 10;
-    /** Twelve days; then all is forgotten, and ticks begin at 0 again. */
+    /** Twelve days. After this time all cells are forgotten, and ticks start at 0 again. */
     private static final int LAST_TICK = 1 << 30;
     private static final int NEVER = Integer.MIN_VALUE / 2;
-    /** Cells of the four around an event that must be remembered: an edge passes through two. */
+    /** Cells that must be remembered, of the four around an event: an edge passes through two. */
     private static final int LEAST_CELLS = 2;
-    /** The least side of a tile is 2^this cells, which are 8 px; and tiles along the width of a large sensor. */
+    /** Least side of a tile: 2^this cells, that is 8 px. Below, the number of tiles across a large sensor. */
     private static final int LEAST_TILE_BITS = 2;
     private static final int TILES = 40;
-    /** Events over which the lead of a place fades. */
+    /** Number of events over which the lead of a place fades. */
     private static final float LEAD_EVENTS = 64;
 
     private final int columnBits;
@@ -33,21 +35,21 @@ final class ContourMemory {
     private final int tileBits;
     private final int maskX;
     private final int maskY;
-    /** Tick at which each cell was seen last. */
+    /** Tick at which each cell was last seen. */
     private final int[] seen;
-    /** Lead of every 2 x 2 cells. */
+    /** Lead of each group of 2 x 2 cells. */
     private final float[] lead;
     private int leadPlace;
     private final Motion motion = new Motion();
-    // the origin of the structure's coordinates at the motion's reference
+    // origin of the structure's coordinates at the motion's reference
     private double originX;
     private double originY;
-    // from px beside it, as it lies then, back to the structure's coordinates: a matrix
+    // matrix from an offset to the origin, in px at the motion's reference, back to the structure's coordinates
     private double toXx;
     private double toXy;
     private double toYx;
     private double toYy;
-    /** Whether the structure neither turned, grew nor was deformed so far, nor does. */
+    /** Whether the structure has never turned, grown or been deformed, and does not now. */
     private boolean isShiftedOnly;
     private final Gradient step = new Gradient();
     private final Gradient exponential = new Gradient();
@@ -64,7 +66,7 @@ final class ContourMemory {
 
     ContourMemory(int sensorWidth, int sensorHeight) {
         columnBits = bits(sensorWidth);
-        // the events that cross a tile's border make what they are thinned to look like what it was taken for
+        // events that cross a tile's border bias the thinned events towards the motion that was assumed
         tileBits = Math.max(LEAST_TILE_BITS,
             Integer.SIZE - 1 - Integer.numberOfLeadingZeros(Math.max(1, sensorWidth / 2 / TILES)));
         maskX = (1 << columnBits) - 1;
@@ -73,18 +75,18 @@ final class ContourMemory {
         lead = new float[seen.length / 4];
     }
 
-    /** Bytes of its arrays. */
+    /** Bytes that the arrays take. */
     static long bytes(SensorSize sensor) {
         long cells = 1L << bits(sensor.width()) + bits(sensor.height());
         return Integer.BYTES * cells + Float.BYTES * cells / 4;
     }
 
-    /** Cells along an axis, as a power of two: those of the sensor and a few around it. */
+    /** Returns the number of cells along an axis, as a power of two: those of the sensor and a few around it. */
     private static int bits(int side) {
         return Integer.SIZE - Integer.numberOfLeadingZeros(side / 2 + 7);
     }
 
-    /** Begins with nothing seen. */
+    /** Starts with nothing seen. */
     void start(Motion now) {
         Arrays.fill(seen, NEVER);
         Arrays.fill(lead, 0);
@@ -105,13 +107,13 @@ final class ContourMemory {
     }
 
     /**
-     * Moves the coordinates along to the reference of a motion, which they follow from then on.
+     * Moves the coordinates on to the reference of a motion, which they follow from then on.
      *
-     * @param memoryUs for how long cells are remembered
+     * @param memoryUs time for which cells are remembered
      */
     void follow(Motion now, long memoryUs) {
         double dt = (now.referenceUs - motion.referenceUs) * 1e-6;
-        // the new motion is known better than the old, also for the time between
+        // for the time in between, too, the new motion is known better than the old one
         double travelX = (now.vx - 0.5 * now.ax * dt) * dt;
         double travelY = (now.vy - 0.5 * now.ay * dt) * dt;
         double rx = originX - (now.centreX - travelX);
@@ -164,7 +166,7 @@ final class ContourMemory {
         cellY = 0.5 * (toYx * thenX + toYy * thenY);
     }
 
-    /** Hash of the tile of the structure that an event lies on. */
+    /** Returns the hash of the tile of the structure that an event lies on. */
     int tile(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
         return tile((int) Math.floor(cellX), (int) Math.floor(cellY));
@@ -176,7 +178,7 @@ final class ContourMemory {
         return hash ^ hash >>> 13;
     }
 
-    /** Remembers where an event lies as a place of the structure; returns the hash of its tile. */
+    /** Remembers the place of an event as a place of the structure; returns the hash of its tile. */
     int see(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
         int cx = (int) Math.floor(cellX);
@@ -193,7 +195,7 @@ final class ContourMemory {
         return (int) (timeUs - epochUs >> TICK_BITS);
     }
 
-    /** How many of the four cells around an event were seen; 0 where they are too few. */
+    /** Returns how many of the four cells around an event are remembered; 0 if they are too few. */
     int remembered(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
         // the four cells nearest
@@ -216,8 +218,8 @@ final class ContourMemory {
     }
 
     /**
-     * How much farther edges came at the place of an event along the structure's motion than along that of what lies
-     * behind, as traces: the mean over the last events there; 0 of a place that is new.
+     * Returns the lead at the place of an event: how much farther edges came there along the structure's motion than
+     * along that of the texture behind, as a difference of traces. The mean over the last events; 0 at a new place.
      */
     double lead(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
@@ -227,7 +229,7 @@ final class ContourMemory {
         return lead[leadPlace];
     }
 
-    /** Takes in that of the event whose place was asked for last, as of so many; returns the mean from then on. */
+    /** Takes the lead of the last event asked for into the mean, with the weight of some events; returns the mean. */
     double takeLead(int farther, int events) {
         lead[leadPlace] += (farther - lead[leadPlace]) * events / LEAD_EVENTS;
         return lead[leadPlace];

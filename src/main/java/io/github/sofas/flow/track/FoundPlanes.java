@@ -8,9 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Track planes of structures that were found, until the stack adopts them. One thread may find them while another
- * labels events with those of the stack: the two share nothing before they are adopted, at a place in the stream that
- * depends on the events only.
+ * Track planes of newly found structures, until the stack adopts them. One thread may find structures while another
+ * labels events with the planes of the stack. The two threads share nothing until the planes are adopted, which happens
+ * at a place in the event stream that depends on the events only.
  */
 public final class FoundPlanes {
     private final SensorSize sensor;
@@ -34,10 +34,10 @@ public final class FoundPlanes {
     }
 
     /**
-     * Forgets what was found, and lets so many be found.
+     * Forgets the found planes, and allows a given number of planes to be found.
      *
-     * @param spare planes that they are made of first, which it takes
-     * @param noise how many noise events a pixel gives of either polarity, per µs
+     * @param spare unused planes to use first; the list is emptied
+     * @param noise noise events per pixel and per µs, of each polarity
      */
     void open(int most, List<TrackPlane> spare, double noise) {
         found.clear();
@@ -48,13 +48,13 @@ public final class FoundPlanes {
         room = most;
     }
 
-    /** Planes are made with other parameters from now on; those that were found are with the stack. */
+    /** Creates planes with other parameters from now on. Planes found before are already with the stack. */
     void setParameters(SofasParameters.Track next) {
         p = next;
         unused.clear();
     }
 
-    /** Lets go what was found. */
+    /** Drops the found planes. */
     void reset() {
         bursts.reset();
         found.forEach(TrackPlane::clear);
@@ -62,17 +62,17 @@ public final class FoundPlanes {
         found.clear();
     }
 
-    /** How many were found. */
+    /** Returns the number of found planes. */
     int size() {
         return found.size();
     }
 
-    /** One of them, in the order in which they were found. */
+    /** Returns a found plane by its index, in the order in which the planes were found. */
     TrackPlane plane(int i) {
         return found.get(i);
     }
 
-    /** Votes that measuring them gave since the start. */
+    /** Returns the votes that measuring found planes has given since the start. */
     long votes() {
         return fit.votes();
     }
@@ -82,14 +82,14 @@ public final class FoundPlanes {
         return found.size() >= room;
     }
 
-    /** A plane for a new structure, whose past events are to be added before {@link #begin}. */
+    /** Returns a plane for a new structure, whose past events are to be added before {@link #begin}. */
     public TrackPlane create(long nowUs, double vx, double vy) {
         TrackPlane plane = take();
         plane.start(nowUs, vx, vy, noisePerUs);
         return plane;
     }
 
-    /** A plane that is not used, or one more where there is none. */
+    /** Returns an unused plane, or a new one if there is none. */
     TrackPlane take() {
         return unused.isEmpty() ? new TrackPlane(sensor, spareCells, p, measured) : unused.remove(unused.size() - 1);
     }
@@ -99,13 +99,13 @@ public final class FoundPlanes {
         plane.addPast(x, y, timeUs, polarity, bursts.begins(x, y, timeUs, polarity, plane.burstUs()));
     }
 
-    /** Measures the motion of a new structure, which expects events from then on. */
+    /** Measures the motion of a new structure. From then on its plane expects events. */
     public void begin(TrackPlane plane, long nowUs) {
         plane.recentre(fit, nowUs);
         found.add(plane);
     }
 
-    /** Gives an event to a plane that expects it, if one does. */
+    /** Gives an event to the first plane that expects it; returns whether there is one. */
     public boolean takes(int x, int y, long timeUs, int polarity) {
         for (int i = 0; i < found.size(); i++) {
             TrackPlane plane = found.get(i);

@@ -5,23 +5,24 @@ import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
  * Coordinates that travel, turn and grow with a structure, in pixels of the sensor at the time when they were anchored
- * to it. A motion that is known better carries them on from where they are, so that what was seen stays in its place.
+ * to it. When the motion becomes better known, the frame moves on from its current place, so that the events on a
+ * contour stay on their cells.
  */
 final class Frame {
-    /** Events are brought into the frame in steps of this part of a pixel: far less than they jitter. */
+    /** Step, in px, by which events are projected into the frame: far less than their jitter. */
     private static final double STEP_PX = 1.0 / 16;
-    /** Span of the steps, and radius that the motion's turning is allowed for. */
+    /** Greatest time between an event and the motion's reference that the steps allow for. */
     private static final long SPAN_US = 1_000_000;
 
     private final Motion motion = new Motion();
     private final SteppedProjection toReference = new SteppedProjection();
-    // from the sensor at the motion's reference to the frame: a similarity
+    // similarity from the sensor at the motion's reference to the frame
     private double cos;
     private double sin;
     private double shiftX;
     private double shiftY;
     private double radius;
-    // from the sensor at the time gone on to, to the frame: both in one
+    // similarity from the sensor at the time last advanced to, to the frame: both transforms in one
     private double nowCos;
     private double nowSin;
     private double nowShiftX;
@@ -36,7 +37,7 @@ final class Frame {
         take(along, structureRadius);
     }
 
-    /** Follows another motion from its reference on; the frame stays where it is then. */
+    /** Follows another motion from its reference on, without a jump of the frame at that time. */
     void follow(Motion along, double structureRadius) {
         toReference.goTo(along.referenceUs);
         double c = cos * toReference.cos() - sin * toReference.sin();
@@ -56,17 +57,17 @@ final class Frame {
         begin();
     }
 
-    /** Has the next event take a step, with the frame as it lies now. */
+    /** Makes the next event take a new step, from the frame as it lies now. */
     private void begin() {
         toReference.begin(motion, SPAN_US, 2 * radius, STEP_PX);
     }
 
-    /** The motion that it follows. */
+    /** Returns the motion that the frame follows. */
     Motion motion() {
         return motion;
     }
 
-    /** Goes on to the time of the next event. */
+    /** Advances to the time of the next event. */
     void advance(long timeUs) {
         if (toReference.advance(timeUs)) {
             nowCos = cos * toReference.cos() - sin * toReference.sin();
@@ -76,54 +77,54 @@ final class Frame {
         }
     }
 
-    /** Column in the frame of an event of this time, in px. */
+    /** Returns the column in the frame, in px, of an event at the time advanced to. */
     double x(int eventX, int eventY) {
         return nowCos * eventX + nowSin * eventY + nowShiftX;
     }
 
-    /** The same, the row. */
+    /** Returns the row, as {@link #x} returns the column. */
     double y(int eventX, int eventY) {
         return nowCos * eventY - nowSin * eventX + nowShiftY;
     }
 
-    /** Column in the frame of a place of the sensor at the motion's reference, in px. */
+    /** Returns the column in the frame, in px, of a place of the sensor at the motion's reference. */
     double fromReferenceX(double x, double y) {
         return cos * x + sin * y + shiftX;
     }
 
-    /** The same, the row. */
+    /** Returns the row, as {@link #fromReferenceX} returns the column. */
     double fromReferenceY(double x, double y) {
         return cos * y - sin * x + shiftY;
     }
 
-    /** Column of the sensor at the motion's reference of a place in the frame. */
+    /** Returns the column of the sensor, at the motion's reference, of a place in the frame. */
     double toReferenceX(double x, double y) {
         return (cos * (x - shiftX) - sin * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
-    /** The same, the row. */
+    /** Returns the row, as {@link #toReferenceX} returns the column. */
     double toReferenceY(double x, double y) {
         return (sin * (x - shiftX) + cos * (y - shiftY)) / (cos * cos + sin * sin);
     }
 
-    /** Column of the sensor, at the time gone on to, of a place in the frame. */
+    /** Returns the column of the sensor, at the time advanced to, of a place in the frame. */
     double sensorX(double x, double y) {
         return toReference.backX(toReferenceX(x, y), toReferenceY(x, y));
     }
 
-    /** The same, the row. */
+    /** Returns the row, as {@link #sensorX} returns the column. */
     double sensorY(double x, double y) {
         return toReference.backY(toReferenceX(x, y), toReferenceY(x, y));
     }
 
-    /** How far the frame lies from the sensor at the motion's reference, at most, at a place of it, in px. */
+    /** Returns the distance of the frame from the sensor at the motion's reference, in px, at a place of the sensor. */
     double departurePx(double x, double y) {
         double dx = fromReferenceX(x, y) - x;
         double dy = fromReferenceY(x, y) - y;
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** Whether it was only shifted since it was anchored. */
+    /** Whether the frame has only been shifted since it was anchored. */
     boolean isOnlyShifted() {
         return cos == 1 && sin == 0;
     }
@@ -135,7 +136,7 @@ final class Frame {
         begin();
     }
 
-    /** Anchors the frame to the sensor at the motion's reference again. */
+    /** Anchors the frame again, to the sensor at the motion's reference. */
     void anchorAgain() {
         cos = 1;
         sin = 0;

@@ -6,29 +6,30 @@ import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
- * Looks for the velocity of a structure whose events come faster than its motion takes it on
- * ({@link EventDensity#isRushed}), or that sets off from rest: in all directions, from the newest events alone, those
- * of a few px of travel.
+ * Searches all directions for the velocity of a structure, using only the newest events, those of a few px of travel.
+ * This is for a structure whose events come faster than its motion explains ({@link EventDensity#isRushed}), or that
+ * sets off from rest.
  *
- * <p>Ours, because measuring goes from a motion to a better one beside it. What turns back in a few ms, as a head does
- * or a camera held by hand, is at rest for its window, and rest is a top of the metric of its own: real pixels fire
- * several times as an edge passes. So it stayed at rest while it labelled all of the events. The flow plane does not
- * get these events, since the contour of what rests explains them.
+ * <p>Ours, because a measurement only goes from a motion to a better one beside it. A structure that turns back within
+ * a few ms, as a head or a handheld camera does, is at rest for its window. Rest is a top of the metric of its own,
+ * because real pixels fire several times as an edge passes. Such a structure therefore stayed at rest while it labelled
+ * all of the events. The flow plane does not get these events, since the contour of the resting structure explains
+ * them.
  */
 final class FreshVelocity {
-    /** Travel whose usual events are looked at, in px. */
+    /** Travel, in px, whose usual number of events is searched. */
     static final double TRAVEL_PX = 4;
-    /** Speeds that are tried, as shares of the one that the number of events tells, which is not exactly as usual. */
+    /** Speeds to try, as shares of the one that the event count indicates: the count is not exactly the usual one. */
     private static final double[] SPEEDS = {0.6, 1, 1.5};
-    /** Distance between the velocities of one speed that are tried, over the time of the events, in px. */
+    /** Distance between neighbouring velocities of one speed, in px over the time of the events. */
     private static final double SPACING_PX = 1.5;
-    /** Most events that are looked at; of more, those on a part of the tiles. */
+    /** Most events that are used; of more, only those on a part of the tiles. */
     private static final int MOST_EVENTS = 3000;
     private static final int LEAST_EVENTS = 50;
-    /** Events are projected along the motion in steps of this part of a pixel. */
+    /** Step, in px, by which events are projected along the motion. */
     private static final double STEP_PX = 1.0 / 32;
     private static final int MOST_FITS = 5;
-    /** Metric per event, at least. */
+    /** Least metric per event. */
     private static final double LEAST_DENSITY = 0.7;
 
     private final SteppedProjection stepped = new SteppedProjection();
@@ -36,7 +37,7 @@ final class FreshVelocity {
     private double vx;
     private double vy;
 
-    /** Velocity that was found, in px/s. */
+    /** Returns the x component of the velocity that was found, in px/s. */
     double vx() {
         return vx;
     }
@@ -46,14 +47,14 @@ final class FreshVelocity {
     }
 
     /**
-     * Looks for it.
+     * Searches for the velocity.
      *
-     * @param newest how many of the live events are looked at
-     * @param travelPx over which the structure usually gives as many
-     * @param sigmas standard deviations by which the metric must pass that along the motion, and that at rest
-     * @param motion that it is taken to have
+     * @param newest number of the newest live events to use
+     * @param travelPx travel over which the structure usually gives this number of events
+     * @param sigmas standard deviations by which the metric must exceed those along the motion and at rest
+     * @param motion motion that the structure is assumed to have
      * @param radius of the structure in px
-     * @return whether the events show a velocity, and another one than the motion's
+     * @return whether the events show a velocity, and one that differs from the motion's
      */
     boolean find(LiveEvents live, int newest, double travelPx, double sigmas, Motion motion, double radius,
                  MetricFit fit) {
@@ -75,7 +76,7 @@ final class FreshVelocity {
             return false;
         }
         double metric = climb(window, fit);
-        // in a sample events meet by so much less
+        // in a sample events meet less often, by the share that it has of all
         double perEvent = metric / fit.size() * newest / fit.size();
         return metric - known > sigmas * MetricFit.sd(metric) && perEvent > LEAST_DENSITY;
     }
@@ -98,7 +99,7 @@ final class FreshVelocity {
         }
     }
 
-    /** Goes to the best velocity of several speeds in all directions; returns its metric. */
+    /** Sets the velocity to the best of several speeds in all directions; returns its metric. */
     private double lookAround(double travelPx, double window, MetricFit fit) {
         double best = 0;
         for (double part : SPEEDS) {
@@ -119,7 +120,7 @@ final class FreshVelocity {
         return best;
     }
 
-    /** Goes to the top of the metric; returns it. */
+    /** Moves the velocity to the top of the metric; returns the metric there. */
     private double climb(double window, MetricFit fit) {
         double px = 2 / window;
         double metric = 0;

@@ -1,40 +1,41 @@
 package io.github.sofas.flow.track;
 
 /**
- * The wide texture that an event is offered to, as that of a wall, and whose an event is of this and of what moves
- * before it.
+ * Finds the ground of an event, a wide texture such as a wall, and decides whether the event belongs to the ground or
+ * to a body that moves in front of it.
  *
- * <p>Ours, because a single event does not tell. In a dense texture, edges come along any motion by chance. And what
- * comes out from behind a body lies on no contour of the wall yet, but on the body's, once that has got some of it: so
- * each body drew a tail of the wall along. But over the events of a place of the body, edges come farther along the
- * body's motion than along the wall's, and over those of a place of the tail they do not ({@link ContourMemory#lead}).
+ * <p>Ours, because a single event does not show this. In a dense texture, edges come along any motion by chance. A part
+ * of the wall that comes out from behind a body is not on the contour of the wall yet. It is on that of the body, once
+ * the body has taken some of its events. Each body therefore drew a tail of the wall along. The mean over the events of
+ * a place decides ({@link ContourMemory#lead}): on the body, edges come farther along the body's motion than along the
+ * wall's; on the tail they do not.
  */
 final class Ground {
-    /** Lead that gives a body or the wall what both contours expect, whatever the event's own trace. */
+    /** Lead that decides between a body and the wall where both contours expect an event, whatever its own trace. */
     private static final double CLEAR_LEAD = PixelHistory.ON_THE_PIXEL;
-    /** Of a place that is the body's so clearly, one event in so many is traced: most of a body's places are. */
+    /** Where the lead of a body is clear, as at most of its places, only one event in this many is traced. */
     private static final int CLEAR_STRIDE = 4;
 
     private TrackPlane plane;
 
-    /** Begins with an event. */
+    /** Starts with a new event. */
     void clear() {
         plane = null;
     }
 
-    /** Considers a plane in whose box the event lies. */
+    /** Considers a plane whose box holds the event. */
     void offer(TrackPlane its) {
         if (its.contour().isWide() && (plane == null || its.contour().extent() > plane.contour().extent())) {
             plane = its;
         }
     }
 
-    /** The plane of the texture; null for none. */
+    /** Returns the plane of the ground; null for none. */
     TrackPlane plane() {
         return plane;
     }
 
-    /** Whether it is behind a body, and has an event that the body's contour or memory has. */
+    /** Whether the ground is behind a body, and gets an event that the body's contour or memory claims. */
     boolean has(TrackPlane body, TracedEvent event) {
         if (!isBehind(body)) {
             return false;
@@ -44,12 +45,12 @@ final class Ground {
             : lead < 0 && plane.contour().goesOnFrom(event.x, event.y, event.timeUs);
     }
 
-    /** Whether it is behind a body, and leaves that an event on both contours. */
+    /** Whether the ground is behind a body, and leaves an event on both contours to the body. */
     boolean yields(TrackPlane body, TracedEvent event) {
         return isBehind(body) && lead(body, event) > CLEAR_LEAD;
     }
 
-    /** Whether it lies behind the structure of a plane, as far as its size tells. */
+    /** Whether the ground lies behind the structure of a plane, judged by size. */
     private boolean isBehind(TrackPlane body) {
         return plane != null && plane != body && plane.contour().breadth() >= body.contour().radius();
     }

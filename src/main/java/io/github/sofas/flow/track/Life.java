@@ -1,17 +1,17 @@
 package io.github.sofas.flow.track;
 
-/** When a structure lived, how many of its events got flow, and whether it is tracked, waited for or ended. */
+/** The life of a structure: its first and last time, its events that got flow, and its {@link State}. */
 final class Life {
-    /** Events that a structure must have had to be waited for while it is hidden. */
+    /** Fewest events with flow of a structure that is worth waiting for while it is hidden. */
     private static final int LEAST_HIDDEN = 200;
 
-    /** What is to be done with a structure. */
+    /** How a structure is treated. */
     enum State {
-        /** It gets its events. */
+        /** It gets the events that it is expected to give. */
         TRACKED,
-        /** It gets too few: it is hidden, or stands, or is gone; it is waited for where it would be. */
+        /** It gets too few events: it is hidden, stands still, or is gone. It is waited for where it would be. */
         WAITED_FOR,
-        /** It is not to be tracked any more. */
+        /** It is no longer tracked. */
         ENDED
     }
 
@@ -21,7 +21,7 @@ final class Life {
     private State state = State.ENDED;
     private long waitingSinceUs;
 
-    /** Begins with a structure that was found. */
+    /** Starts with a structure that was just found. */
     void start(long nowUs) {
         firstUs = nowUs;
         lastUs = nowUs;
@@ -35,18 +35,18 @@ final class Life {
         lastUs = timeUs;
     }
 
-    /** Counts the events of another structure, which this one has taken over, too. */
+    /** Adds the events of another structure that this one has taken over. */
     void takeOver(Life other) {
         events += other.events;
     }
 
     /**
-     * Goes to the state that it is in by now: the only place where it changes.
+     * Updates the state: the only place where a running life changes it.
      *
-     * @param isStarved whether it gets too few events
-     * @param isGone whether there is no structure any more, or none that moves as this one was taken to
-     * @param mayComeBack whether it may be in sight
-     * @param patienceUs how long it is waited for
+     * @param isStarved whether the structure gets too few events
+     * @param isGone whether there is no structure any more, or none that moves along the assumed motion
+     * @param mayComeBack whether the structure may be in sight
+     * @param patienceUs longest time for which the structure is waited for
      */
     State goOn(boolean isStarved, boolean isGone, boolean mayComeBack, long patienceUs, long nowUs) {
         if (!isStarved) {
@@ -61,27 +61,27 @@ final class Life {
         return state;
     }
 
-    /** Whether it gets its events. */
+    /** Whether the structure is tracked. */
     boolean isTracked() {
         return state == State.TRACKED;
     }
 
-    /** Whether it has been waited for that long. */
+    /** Whether the structure has been waited for at least so long. */
     boolean isWaitedFor(long atLeastUs, long nowUs) {
         return state == State.WAITED_FOR && nowUs - waitingSinceUs >= atLeastUs;
     }
 
-    /** When it was found. */
+    /** Returns the time at which the structure was found. */
     long firstUs() {
         return firstUs;
     }
 
-    /** When it gave the last event that got flow, or was found. */
+    /** Returns the time of its last event that got flow, or the time at which it was found. */
     long lastUs() {
         return lastUs;
     }
 
-    /** How many of its events got flow. */
+    /** Returns the number of its events that got flow. */
     long events() {
         return events;
     }

@@ -3,24 +3,24 @@ package io.github.sofas.flow.track;
 import java.util.function.IntPredicate;
 
 /**
- * The live events of a track plane that its motion is measured from, a ring in order of time: those of the time in
- * which it travels its lifetime.
+ * The live events of a track plane, from which its motion is measured: a ring, in order of time, of the events within
+ * the time that the structure takes to travel its lifetime.
  *
- * <p>Ours: what must be bounded is memory, and what must be kept is travel. A dense structure is measured on a part of
- * it: only events of some of its tiles are taken, half of the tiles after each time that the ring is full. Of whole
- * tiles, because thinning events one by one thins their meetings by the square.
+ * <p>Ours: memory must be bounded, but the travel must be kept. A dense structure is therefore measured on a part of
+ * its area. The ring takes events of some tiles only, and halves the tiles each time that it is full. Whole tiles are
+ * kept or dropped, because thinning events one by one would thin their meetings by the square.
  */
 final class LiveEvents {
     static final int CAPACITY = 1 << 15;
-    /** Bytes of its arrays. */
+    /** Bytes that the arrays take. */
     static final long BYTES = (long) CAPACITY * (Long.BYTES + 2 * Short.BYTES + 2 * Byte.BYTES + Integer.BYTES);
-    /** Mean polarity beyond which events have one, but for noise, as those of an edge; a whole body gives either. */
+    /** Mean polarity beyond which events share one, but for noise, as those of an edge do; a whole body gives both. */
     private static final double LEAST_MEAN_POLARITY = 0.6;
     private static final int MASK = CAPACITY - 1;
     private static final Claim[] CLAIMS = Claim.values();
-    /** Part of the events that must stay, and that must go, for the tiles to be halved. */
+    /** One part in this many of the events must stay, and as many must go, for the tiles to be halved. */
     private static final int LEAST_PART = 4;
-    /** Tiles are halved no further than this many times. */
+    /** Most times that the tiles are halved. */
     private static final int MOST_HALVINGS = 12;
 
     final long[] timeUs = new long[CAPACITY];
@@ -28,19 +28,19 @@ final class LiveEvents {
     final short[] y = new short[CAPACITY];
     /** +1 or -1. */
     final byte[] sign = new byte[CAPACITY];
-    /** Why the event was taken, as the claim's ordinal: references would be told to the garbage collector. */
+    /** Why the event was taken, as the ordinal of the claim: storing references would involve the garbage collector. */
     private final byte[] claim = new byte[CAPACITY];
     /** Hash of the tile that the event lies on. */
     private final int[] tile = new int[CAPACITY];
 
     private int head;
     private int size;
-    /** Sum of their polarities. */
+    /** Sum of the polarities of the events. */
     private int signs;
     private int halvings;
-    /** Events for which it is not asked again whether tiles can be halved. */
+    /** Number of further events until halving the tiles is considered again. */
     private int refused;
-    /** How many of the oldest events came when only half of the tiles were taken that are now. */
+    /** Number of the oldest events that came while only half of the current tiles were taken. */
     private int ofHalfTheTiles;
 
     int size() {
@@ -51,17 +51,17 @@ final class LiveEvents {
         return size == CAPACITY;
     }
 
-    /** The structure's events to those that are taken. */
+    /** Returns the ratio of the structure's events to those that are taken. */
     int thinning() {
         return 1 << halvings;
     }
 
-    /** The polarity, 1 or -1, that more than four fifths of them have; 0 where there is none. */
+    /** Returns the polarity, 1 or -1, that more than four fifths of the events have; 0 if there is none. */
     int commonPolarity() {
         return Math.abs(signs) > LEAST_MEAN_POLARITY * size ? Integer.signum(signs) : 0;
     }
 
-    /** How many events the structure gave, those of tiles that were not taken included. */
+    /** Returns the number of events that the structure gave, extrapolated to the tiles that were not taken. */
     long given() {
         return (long) (size + ofHalfTheTiles) << halvings;
     }
@@ -75,12 +75,12 @@ final class LiveEvents {
         return (tileHash & (1 << halvings) - 1) == 0;
     }
 
-    /** Whether an event, by its index, lies on a tile that is left when they are halved so many times. */
+    /** Whether the event at an index lies on a tile that remains when the tiles are halved so many times. */
     boolean isLeftBy(int times, int i) {
         return isTaken(tile[i], halvings + times);
     }
 
-    /** Index into the arrays of the k-th event, 0 the oldest. */
+    /** Returns the index into the arrays of the k-th event; 0 is the oldest. */
     int index(int k) {
         return head - size + k & MASK;
     }
@@ -93,22 +93,22 @@ final class LiveEvents {
         return timeUs[index(size - 1)];
     }
 
-    /** The middle between the times of the oldest and of the newest event. */
+    /** Returns the middle between the times of the oldest and of the newest event. */
     long middleUs() {
         return oldestUs() + (newestUs() - oldestUs()) / 2;
     }
 
-    /** When the first of so many of the newest events was. */
+    /** Returns the time of the first of so many newest events. */
     long newestFromUs(int newest) {
         return timeUs[index(size - newest)];
     }
 
-    /** Why an event was taken, by its index into the arrays. */
+    /** Returns why an event was taken, by its index into the arrays. */
     Claim claim(int i) {
         return CLAIMS[claim[i]];
     }
 
-    /** Appends an event of a tile that is taken; where there is no room, half of the tiles are given up first. */
+    /** Appends an event, if its tile is taken. A full ring makes room first, by half of the tiles if possible. */
     void add(int eventX, int eventY, long eventUs, int polarity, Claim why, int tileHash) {
         add(eventX, eventY, eventUs, polarity, why.ordinal(), tileHash);
     }
@@ -135,7 +135,7 @@ final class LiveEvents {
         size++;
     }
 
-    /** Halves the tiles where about half of the events stay; of a structure of few tiles the oldest event goes. */
+    /** Halves the tiles if about half of the events would stay; else, with few tiles, drops the oldest event. */
     private void makeRoom() {
         if (refused > 0) {
             refused--;
@@ -166,7 +166,7 @@ final class LiveEvents {
         keepIf(i -> takes(tile[i]));
     }
 
-    /** Keeps only the events, by their indices, of which something is true. */
+    /** Keeps only the events whose index satisfies a predicate. */
     void keepIf(IntPredicate kept) {
         int n = size;
         int ofHalf = ofHalfTheTiles;
@@ -184,7 +184,7 @@ final class LiveEvents {
         }
     }
 
-    /** Takes events of twice as many tiles where those that are taken leave the ring nearly empty. */
+    /** Takes events of twice as many tiles from now on if the ring is less than a quarter full. */
     void widen() {
         if (halvings > 0 && size < CAPACITY / 4) {
             halvings--;
@@ -192,14 +192,14 @@ final class LiveEvents {
         }
     }
 
-    /** Lets the events before a time go. */
+    /** Drops the events before a time. */
     void expire(long beforeUs) {
         while (size > 0 && oldestUs() < beforeUs) {
             letOldestGo();
         }
     }
 
-    /** Lets all but so many of the newest go. */
+    /** Drops all events but so many of the newest. */
     void keepNewest(int most) {
         while (size > most) {
             letOldestGo();
@@ -214,7 +214,7 @@ final class LiveEvents {
         refused = 0;
     }
 
-    /** Takes over the events of two others, in order of time, of the tiles that both take. */
+    /** Replaces the events by those of two other rings, in order of time, on the tiles that both take. */
     void fillFrom(LiveEvents a, LiveEvents b) {
         clear();
         halvings = Math.max(a.halvings, b.halvings);

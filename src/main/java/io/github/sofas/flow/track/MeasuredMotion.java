@@ -4,15 +4,16 @@ import io.github.sofas.flow.motion.MeasuredMotions;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * The motion of a structure as it was measured last, and the telling of it: under the structure's number, once it has
- * one. Where it was found in a slice that is searched, it was measured before.
+ * The motion of a structure as it was measured last. Each measurement is reported to a listener under the number of the
+ * structure. A structure that is found in a slice that is being searched is measured before it has a number; its last
+ * motion is reported once it gets one.
  */
 final class MeasuredMotion {
-    /** Share of the measured velocity by which another one may differ from it. */
+    /** Difference from the measured velocity, as a share of it, beyond which a velocity counts as another. */
     private static final double OTHER_SHARE = 0.25;
 
     private final MeasuredMotions listener;
-    /** What was measured before the structure had a number, if anything was. */
+    /** The last motion that was measured before the structure had a number, if any was. */
     private final Motion untold = new Motion();
     private boolean hasUntold;
     private int id;
@@ -32,7 +33,7 @@ final class MeasuredMotion {
         vy = newVy;
     }
 
-    /** Gives the structure its number. */
+    /** Gives the structure its number, and reports the motion that was measured before, if any was. */
     void number(int newId) {
         id = newId;
         if (hasUntold) {
@@ -45,7 +46,7 @@ final class MeasuredMotion {
         return id;
     }
 
-    /** Takes a motion that was measured, its reference the middle of the window that it was measured over. */
+    /** Takes a measured motion, whose reference is the middle of the window that it was measured over. */
     void take(Motion motion) {
         vx = motion.vx;
         vy = motion.vy;
@@ -58,8 +59,9 @@ final class MeasuredMotion {
     }
 
     /**
-     * Whether a motion has gone on to another velocity than was measured: what reverses or pauses within a few pixels
-     * seems to slow down or speed up without end, gets few events there, and would label others at that velocity.
+     * Whether a motion has departed from the velocity that was measured last. A structure that reverses or pauses
+     * within a few pixels seems to slow down or speed up without end. It gets few events at such a velocity, and would
+     * label others with it.
      */
     boolean isOther(Motion motion) {
         double dx = motion.vx - vx;

@@ -4,18 +4,22 @@ import io.github.sofas.flow.SofasParameters;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Over how much travel a motion is measured: the lifetime of the live events (paper, section Track Plane), which is
- * longer while the motion is steady, and shorter where it changes. Ours, because the longer a window is the more it
- * tells of a velocity, but the less of when it changed.
+ * Travel over which a motion is measured: the lifetime of the live events (paper, section Track Plane). It is longer
+ * while the motion is steady, and shorter where the motion changes. Ours, because a longer window shows more of the
+ * velocity, but less of when the velocity changed.
  */
 final class MeasuredTravel {
-    /** Correction over half the window below which a velocity is steady. */
+    /** Correction of the velocity, in px over half the window, below which the motion is steady. */
     private static final double STEADY_PX = 0.1;
-    /** Shift at the end of the window by an acceleration above which the lifetime shrinks: it soon ends. */
+    /**
+     * Shift of the end of the window by the acceleration, in px, above which the lifetime shrinks: an acceleration soon
+     * ends.
+     */
     private static final double MAX_BEND_PX = 0.25;
     /**
-     * Longest window of a clear plane in s, and travel in lifetimes that it holds at least. A hand swings within that
-     * time. What is less clear keeps long windows, because its edges lock to rows and columns of pixels.
+     * Longest window of a clear plane, in s, and the least travel that its window holds nevertheless, in shortest
+     * lifetimes. A hand swings within that time. A plane that is less clear keeps long windows, because its edges lock
+     * to rows and columns of pixels.
      */
     private static final double CLEAR_WINDOW_S = 0.2;
     private static final double CLEAR_LIFETIMES = 1.6;
@@ -27,28 +31,29 @@ final class MeasuredTravel {
         this.p = p;
     }
 
-    /** Begins with the shortest. */
+    /** Begins with the shortest travel. */
     void restart() {
         px = p.lifetimePx();
     }
 
-    /** Goes on with other bounds. */
+    /** Continues with other bounds. */
     void setParameters(SofasParameters.Track next) {
         p = next;
         px = Math.max(p.lifetimePx(), Math.min(p.maxLifetimePx(), px));
     }
 
-    /** That travel in px. */
+    /** Travel that the motion is measured over, in px. */
     double px() {
         return px;
     }
 
     /**
-     * Grows while the motion is steady, and shrinks where it changes.
+     * Lengthens the travel while the motion is steady, and shortens it where the motion changes.
      *
-     * @param moved what the velocity was corrected by, in px, and bend what the acceleration shifts the ends of the
-     *     window by, as far as either is more than noise: of few events that takes a long lifetime to tell
-     * @param mostPx travel that it may grow to
+     * @param moved correction of the velocity, in px, and bend the shift of the ends of the window by the acceleration,
+     *     as far as either is more than noise: with few events, a long lifetime is needed to distinguish change from
+     *     noise
+     * @param mostPx longest travel that it may grow to
      */
     void adapt(double moved, double bend, double mostPx) {
         if (bend > MAX_BEND_PX) {
@@ -58,7 +63,9 @@ final class MeasuredTravel {
         }
     }
 
-    /** Shrinks where the velocity was corrected by much, in px, as far as that is more than noise. */
+    /**
+     * Shortens the travel where the velocity was corrected by much, in px, as far as the correction is more than noise.
+     */
     void shrinkIfCorrected(double moved) {
         if (moved > 3 * STEADY_PX) {
             shrinkTo(0.8);
@@ -69,14 +76,14 @@ final class MeasuredTravel {
         px = Math.max(p.lifetimePx(), px * share);
     }
 
-    /** Most travel that a motion may be measured over, in px. */
+    /** Longest travel that a motion may be measured over, in px. */
     double mostPx() {
         return p.maxLifetimePx();
     }
 
     /**
-     * The same of a clear plane: less where it is slow. Growth does not count for its travel: it shows least, and takes
-     * long windows.
+     * The same for a clear plane: less where the plane is slow. The part of its speed that is growth does not count as
+     * travel here: growth shows least, and takes long windows.
      *
      * @param half half the window in s
      * @param radius of the plane in px

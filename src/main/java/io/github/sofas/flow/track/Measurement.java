@@ -10,47 +10,64 @@ import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
  * Measures the motion of a structure again and again from its live events (paper, section Track Plane: the best of
- * 3 x 3 projections becomes the centre), and knows how well it is known and over how much travel it is to be measured.
+ * 3 x 3 projections becomes the centre). It also keeps how well the motion is known, and over how much travel it is to
+ * be measured.
+ *
+ * <p>A measurement projects a sample of the live events to the middle of their window. It fits the velocity, and then
+ * how the motion changes ({@link MotionChange}).
  */
 final class Measurement {
-    /** Fewer events than this have no motion. */
+    /** Fewest events that a motion is measured from. */
     static final int LEAST_EVENTS = 12;
     /** Most events that are measured at once. */
     static final int MOST_EVENTS = 1 << 14;
-    /** Measurements that ask all nine projections: the first ones, and some to follow what turns. */
+    /**
+     * Measurements that evaluate all nine projections: so many at first, and one in so many later, to follow a
+     * structure that turns.
+     */
     private static final int LEAST_FULL = 3;
     private static final int FULL_EVERY = 4;
     /**
-     * Lifetimes, of the first one, from which on a motion has been steady for so long that slopes tell all. What turns
-     * back is followed better by projections: a head in 20 of 21 runs, in 15 to 18 with slopes from the start.
+     * Length of the lifetime, in shortest lifetimes, from which on a motion has been steady for so long that slopes
+     * suffice. Projections follow a structure that reverses better: a head in 20 of 21 runs, against 15 to 18 with
+     * slopes from the start.
      */
     private static final double STEADY_LIFETIMES = 1.5;
-    /** Correction over half the window after which the top may lie beyond what slopes tell. */
+    /** Correction over half the window, in px, after which the top may lie beyond the reach of the slopes. */
     private static final double RESTLESS_PX = 0.5;
     /**
-     * Measurements of what was just found at the border, and may be coming in, that count what is in sight for a while
-     * only by so much more. With all of them a rectangle that turns at up to 20 rad/s is 2 % less sharp.
+     * First measurements of a structure, in which it may be coming in over the border. If the border cuts it off, these
+     * give more weight to what is in sight for a part of the window only. If all measurements did, a rectangle that
+     * turns at up to 20 rad/s would be 2 % less sharp.
      */
     private static final int COMING_IN = 40;
-    /** Measurements after which a motion is judged: before, it is that of the search. */
+    /** Measurements after which a motion is judged: before them, it is still that of the search. */
     private static final int LEAST_JUDGED = 2;
-    /** Events are projected to be measured in steps of this part of a pixel: less than positions are told apart by. */
+    /** Step, in px, by which events are projected for a measurement: finer than the resolution of positions. */
     private static final double STEP_PX = 1.0 / 32;
 
-    /** Standard deviations of the metric from which a correction or an acceleration is not noise, which has half. */
+    /** Standard deviations of the metric from which on a correction or an acceleration is not noise. Noise has 0.5. */
     private static final double CLEAR_SIGMAS = 0.9;
-    /** Share of events that two planes claim above which no change of motion is measured: they pull at each other. */
+    /**
+     * Share of events that two planes claim above which no change of motion is measured: the planes pull at each other.
+     */
     private static final double MAX_SHARED = 0.15;
-    /** Share of the metric per px that a weakly known direction must lose to follow at half the step. */
+    /**
+     * Share of the metric per px that a direction must lose for the motion to follow half of the fitted step in it.
+     * Along a direction that loses less, and so is known weakly, the motion follows more slowly.
+     */
     private static final double STIFFNESS = 0.002;
-    /** Share of the velocity along a straight edge that is dropped at each measurement: it would drift. */
+    /**
+     * Share of the velocity along a straight edge that each measurement drops. Nothing measures that component, so it
+     * would drift otherwise.
+     */
     private static final double FLAT_DECAY = 0.05;
     /**
-     * Share of the metric that a shift of both ends of the window by a pixel costs at least where there is a structure:
-     * 0.1 to 0.5 of those, 0.02 of noise and of what several structures left.
+     * Least share of the metric that a shift of both ends of the window by a pixel costs where there is a structure.
+     * Structures lose 0.1 to 0.5, noise and the remains of several structures 0.02.
      */
     private static final double LEAST_SHARPNESS = 0.03;
-    /** Travel without that after which there is none. */
+    /** Travel without such sharpness, in px, after which there is no structure. */
     private static final double BLURRED_PX = 5;
 
     private final SteppedProjection stepped = new SteppedProjection();
@@ -63,7 +80,7 @@ final class Measurement {
     private final Sample sample = new Sample();
     private SofasParameters.Track p;
     private int count;
-    /** Factor that the frame is wider by after a step that left it. */
+    /** Factor by which the frame is wider after a step that left it. */
     private double widen;
     /** Whether the last measurement moved the motion far. */
     private boolean restless;
@@ -92,7 +109,7 @@ final class Measurement {
         travel.restart();
     }
 
-    /** Measures on with other parameters. */
+    /** Continues with other parameters. */
     void setParameters(SofasParameters.Track next) {
         p = next;
         travel.setParameters(next);
@@ -103,12 +120,15 @@ final class Measurement {
         return travel.px();
     }
 
-    /** Whether the live events are sharp under the motion, as those of a structure are. */
+    /** Whether the live events are sharp along the motion, as those of one structure are. */
     boolean isSharp() {
         return blurredPx == 0;
     }
 
-    /** Whether they have not been sharp for so long that there is no structure, or none that moves like this. */
+    /**
+     * Whether the live events have been blurred, or have contradicted the motion, for so long that there is no
+     * structure, or none that moves like this.
+     */
     boolean isBlurred() {
         return blurredPx > BLURRED_PX || prediction.isRefuted();
     }
@@ -123,7 +143,7 @@ final class Measurement {
         return loss;
     }
 
-    /** New events until it is measured again. */
+    /** New events that are needed until the motion is measured again. */
     int newsNeeded(int liveEvents) {
         return sample.newsNeeded(liveEvents, change.isKnownAlike());
     }
@@ -133,35 +153,37 @@ final class Measurement {
         change.hold(motion);
     }
 
-    /** Takes what turns for one body, whose rotation need not show within parts of it. */
+    /** Takes a structure that turns for one body, whose rotation need not show within its parts. */
     void believeTurning() {
         change.believeTurning();
     }
 
-    /** Takes what turns and grows for one body, whose rotation and growth need not show within parts of it. */
+    /**
+     * Takes a structure that turns and grows for one body, whose rotation and growth need not show within its parts.
+     */
     void believeAll() {
         change.believeAll();
     }
 
-    /** Lets a motion turn and grow as it does if the structure is one body. */
+    /** Gives a motion the rotation and growth that it has if the structure is one body. */
     void applyOfAll(Motion motion) {
         change.applyOfAll(motion);
     }
 
-    /** Takes it no more for one body than what shows. */
+    /** Takes the structure for one body only as far as rotation and growth show within its parts. */
     void doubtBody() {
         change.doubtBody();
     }
 
-    /** Goes on with the motion that this structure and another have in common, which was not measured. */
+    /** Continues with the motion that this structure has in common with another, which was not measured. */
     void takeCommon() {
         change.take();
     }
 
     /**
-     * Measures a motion, whose reference becomes the middle of the window of the live events.
+     * Measures a motion. Its reference becomes the middle of the window of the live events.
      *
-     * @param lifetimeUs time in which it travels the lifetime
+     * @param lifetimeUs time in which the structure travels the lifetime
      */
     void measure(Motion motion, LiveEvents live, double radius, MetricFit fit, long lifetimeUs, long nowUs) {
         long windowUs = nowUs - live.oldestUs();
@@ -181,7 +203,7 @@ final class Measurement {
     /**
      * Judges whether the motion predicts the live events.
      *
-     * @param wasMeasured whether it was measured from them just now, else held
+     * @param wasMeasured whether the motion was measured from these events just now; else it was held
      */
     void judge(boolean wasMeasured, Motion motion, LiveEvents live, double radius, MetricFit fit, long nowUs) {
         if (count < LEAST_JUDGED || wasMeasured && prediction.isSure(nowUs)) {
@@ -190,19 +212,21 @@ final class Measurement {
         double along = wasMeasured && !isCutOff && fit.size() >= LEAST_EVENTS ? loss.metric : 0;
         loadAtRest(motion, live, fit);
         if (fit.size() < LEAST_EVENTS) {
-            // what is hidden is not contradicted
+            // hidden events do not contradict the motion
             return;
         }
         double atRest = fit.metric();
         if (along <= Math.max(0, atRest)) {
-            // along the motion as it is now, which the measurement has improved; a metric of 0 is one not known
+            // along the motion as it is now, which the measurement has improved; a metric of 0 is not known yet
             load(motion, live, radius, fit);
             along = Math.max(along, fit.metric());
         }
         prediction.judge(along, atRest, fit.size(), motion.speed(radius), nowUs - live.oldestUs(), nowUs);
     }
 
-    /** Fits the velocity: by all nine projections, by the slopes of what is steady, or by the five nearest. */
+    /**
+     * Fits the velocity: by all nine projections, by the slopes of a steady motion, or by the five nearest projections.
+     */
     private VelocityTop fitVelocity(boolean isSteady, double px, double radius, MetricFit fit) {
         if (count < LEAST_FULL || count % FULL_EVERY == 0 && (!isSteady || fit.isBroad(px))) {
             return fit.fit(0, 0, MetricFit.FLAT_SIGMAS);
@@ -219,7 +243,7 @@ final class Measurement {
         measuredUs = nowUs;
     }
 
-    /** Metric of the live events along a motion, in the middle of their window. */
+    /** Metric of the live events along a motion, projected to the middle of their window. */
     double metric(Motion motion, LiveEvents live, double radius, MetricFit fit, long nowUs) {
         mid.copyFrom(motion);
         mid.moveReference(live.oldestUs() + (nowUs - live.oldestUs()) / 2);
@@ -228,11 +252,11 @@ final class Measurement {
     }
 
     /**
-     * Projects a sample of the live events to the motion's reference. Where the motion turned back among them, those of
-     * before are of the polarity that their edges have now, if that makes all of them sharper: if not, it is the turn
-     * that is not known yet.
+     * Projects a sample of the live events to the motion's reference. Where the motion reversed within the window,
+     * events from before the turn count with the polarity that their edges fire now, if this makes the whole sample
+     * sharper. If it does not, the turn is not known yet.
      *
-     * @return how many of the sample were shared
+     * @return number of events in the sample that are shared
      */
     private int load(Motion motion, LiveEvents live, double radius, MetricFit fit) {
         int shared = load(motion, live, radius, fit, false);
@@ -252,7 +276,7 @@ final class Measurement {
         int want = sample.size(live.size(), change.isKnownAlike());
         int shared = 0;
         isCutOff = false;
-        // of what is measured on a part of its events, the border cuts off little
+        // the border cuts off little of a structure that is measured on a part of its events
         boolean mayComeIn = count < COMING_IN && want == live.size() && live.thinning() == 1;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
@@ -271,7 +295,7 @@ final class Measurement {
         return shared;
     }
 
-    /** Loads the same events where they are. */
+    /** Loads the same events where they are, as if at rest. */
     private void loadAtRest(Motion motion, LiveEvents live, MetricFit fit) {
         fit.clear();
         int want = sample.size(live.size(), change.isKnownAlike());
@@ -313,10 +337,11 @@ final class Measurement {
     }
 
     /**
-     * Takes the step of the fit: (L + S)^-1 L of it, L the loss and S a stiffness the same all round, so that what is
-     * weakly known moves slowly. Along a straight edge, where nothing is known, back towards the normal flow.
+     * Takes the step of the fit, multiplied by (L + S)^-1 L. L is the loss and S a stiffness that is equal in all
+     * directions, so that the motion moves slowly along directions that are known weakly. Along a straight edge, where
+     * nothing is known, the velocity returns towards the normal flow.
      *
-     * @return its length in px/s
+     * @return length of the step in px/s
      */
     private double step(Motion motion, VelocityTop top, double px, double crossing) {
         double stepX = top.stepX();

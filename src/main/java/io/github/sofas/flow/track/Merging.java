@@ -5,68 +5,76 @@ import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Whether two track planes describe one structure (paper, section Algorithm: such are merged). Ours: boxes that touch
- * or nearly do, or have gone together for long, and one motion that serves both with little loss of metric.
+ * Whether two track planes describe one structure (paper, section Algorithm: such planes are merged). Ours: their boxes
+ * touch or nearly do, or the planes have gone together for long, and one motion serves both with little loss of metric.
  *
- * <p>What moves along itself is seen by its ends alone: the one covers what is behind it, the other uncovers it, so
- * that one fires ON and the other OFF events. Two such ends belong together across a gap in which nothing fires.
+ * <p>A structure that moves along itself is seen by its two ends alone. One end covers the background and the other
+ * uncovers it, so one fires ON and the other OFF events. Two such ends belong together across a gap in which nothing
+ * fires.
  */
 final class Merging {
-    /** Share of the metric that two planes may lose by one common motion: an edge knows a part of its velocity only. */
+    /** Share of its metric that a plane may lose by the common motion: an edge knows only a part of its velocity. */
     private static final double MOST_LOST = 0.02;
-    /** The same of planes that do not touch: small bodies whose speeds differ by a tenth lose a hundredth at most. */
+    /** The same for planes that do not touch: small bodies whose speeds differ by a tenth lose a hundredth at most. */
     private static final double MOST_LOST_APART = 0.005;
     /**
-     * Share of the speed by which rotation and growth must make their velocities differ for planes that do not touch to
-     * lose as much as those that do: rotation and growth are known less well.
+     * Least difference of the two velocities that rotation and growth cause, as a share of the speed, for planes that
+     * do not touch to be allowed the loss of those that do: rotation and growth are known less well.
      */
     private static final double TURNING_SHARE = 0.05;
-    /** Gap between boxes that may merge, as a share of the shorter of their longer sides, and at least so many px. */
+    /**
+     * Greatest gap between the boxes of planes that may merge, as a share of the shorter of their longer sides, and at
+     * least so many px.
+     */
     private static final double GAP_SHARE = 0.8;
     private static final double GAP_PX = 4;
     /**
-     * Travel that both must have been tracked for if their boxes are farther apart than {@link #GAP_PX}: over less, two
-     * bodies of about the same velocity cannot be told from two parts of one, and what has merged is parted late.
+     * Travel, in px, over which both planes must have been tracked if their boxes are farther apart than
+     * {@link #GAP_PX}. Less travel does not distinguish two bodies of about the same velocity from two parts of one,
+     * and merged bodies are parted late.
      */
     private static final double TRAVEL_PX = 8;
 
     /**
-     * Gap between the leading and the trailing edge of one body, as the same share: its long sides along its way fire
-     * no events.
+     * Greatest gap between the leading and the trailing edge of one body, as the same share: the long sides of the
+     * body, which lie along its way, fire no events.
      */
     private static final double BODY_SHARE = 3;
-    /** Travel that both must have been tracked for: over less, the rear of one body goes with the front of the next. */
+    /**
+     * Travel, in px, over which both edges must have been tracked: over less, the rear of one body goes with the front
+     * of the next.
+     */
     private static final double EDGES_TRAVEL_PX = 6;
     /**
-     * Time in s in which what two planes speed up by, or slow down, counts as travel: that both change alike shows more
-     * than that they go on alike.
+     * Time in s for which a change of speed counts as travel: two planes that change alike show more than two that
+     * continue alike.
      */
     private static final double CHANGE_S = 0.2;
     /**
-     * Travel that parts of what grows or shrinks must both have been tracked for: the sides of what comes near are
-     * slow.
+     * Travel, in px, over which two parts of a structure that grows or shrinks must both have been tracked. The sides
+     * of a structure that comes near are slow.
      */
     private static final double GROWING_TRAVEL_PX = 2;
 
-    /** Share of its metric that either part of what turns loses by one velocity at most, to second order. */
+    /** Share of its metric that either part of a body that turns loses by one velocity at most, to second order. */
     private static final double MOST_LOST_TURNING = 0.6;
 
-    /** By what two planes are one. */
+    /** Why two planes are one. */
     enum Bond {
         /** They move alike. */
         MOTION,
         /** They are the leading and the trailing edge of one body, across a gap. */
         EDGES,
-        /** They turn or grow as one body, which none of its parts need show. */
+        /** They turn or grow as one body, though none of its parts need show it. */
         BODY
     }
 
     private final CommonMotion common = new CommonMotion();
     private final OneBody body = new OneBody();
-    /** By what the two are one that were asked for last, if they are. */
+    /** Why the two planes that were asked about last are one, if they are. */
     private Bond bond = Bond.MOTION;
 
-    /** Whether two planes describe one structure at a time; if so, {@link #motion} is that of both. */
+    /** Whether two planes describe one structure at a time; if so, {@link #motion} is the motion of both. */
     boolean areOne(TrackPlane a, TrackPlane b, MetricFit fit, long nowUs) {
         if (a.liveEvents() == 0 && b.liveEvents() == 0 || !a.measurement().isSharp() || !b.measurement().isSharp()) {
             return false;
@@ -80,7 +88,7 @@ final class Merging {
         return haveGoneTogether(a, b, nowUs);
     }
 
-    /** Whether planes that do not touch may merge by where they are, and by how far they have travelled. */
+    /** Whether the distance and the travel of two planes that do not touch allow them to merge. */
     private boolean areNear(TrackPlane a, TrackPlane b, long nowUs) {
         boolean areEdges = bond == Bond.EDGES;
         double travelPx = areEdges ? EDGES_TRAVEL_PX : TRAVEL_PX;
@@ -90,9 +98,9 @@ final class Merging {
     }
 
     /**
-     * Whether planes that lie far apart have shared their motion for as many px of travel as there are between them,
-     * or less where it changed: the shapes of a poster do before a camera that moves, but what moves alike for a moment
-     * does not.
+     * Whether planes that lie far apart have shared their motion over as many px of travel as lie between them, or over
+     * less where the motion changed. The shapes of a poster before a moving camera do; bodies that move alike for a
+     * moment do not.
      */
     private boolean haveGoneTogether(TrackPlane a, TrackPlane b, long nowUs) {
         TrackPlane younger = a.id() > b.id() ? a : b;
@@ -106,14 +114,14 @@ final class Merging {
         return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs);
     }
 
-    /** Whether planes that touch and move otherwise are clearly parts of one body that turns or grows. */
+    /** Whether planes that touch and move differently are clearly parts of one body that turns or grows. */
     private boolean areOneBody(TrackPlane a, TrackPlane b, MetricFit fit, long nowUs) {
         TrackPlane younger = a.id() > b.id() ? a : b;
         TrackPlane older = younger == a ? b : a;
         OtherPart part = younger.otherPart();
         double travelPx = Math.min(a.travelPx(nowUs), b.travelPx(nowUs));
         boolean mayGrow = travelPx >= GROWING_TRAVEL_PX && a.commonPolarity() * b.commonPolarity() > 0;
-        // what loses more by the one velocity just asked for is two bodies, though a rotation explains it for a while
+        // planes that lose more by the common motion are two bodies, though a rotation explains them for a while
         boolean mayTurn = travelPx >= EDGES_TRAVEL_PX && common.lost() < MOST_LOST_TURNING;
         if (!mayGrow && !mayTurn || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
             return false;
@@ -132,14 +140,15 @@ final class Merging {
         return areOne;
     }
 
-    /** How much a motion tells a second of what else moves like it, in px. */
+    /** Evidence that the motion of a plane gives per second of what else moves like it, in px. */
     private static double telling(TrackPlane plane) {
         return plane.speed() + CHANGE_S * Math.hypot(plane.motion().ax, plane.motion().ay);
     }
 
     /**
-     * Whether one motion serves both, in the middle of the shorter window that either is measured over, and now: an
-     * acceleration that few events show for a moment carries the velocity of one through that of the other.
+     * Whether one motion serves both planes, in the middle of the shorter of their windows as well as now. One time
+     * alone does not suffice: an acceleration that few events show for a moment carries the velocity of one plane
+     * through that of the other.
      */
     private boolean shareMotion(TrackPlane a, TrackPlane b, boolean touch, long nowUs) {
         long midUs = nowUs - Math.min(a.lifetimeUs(), b.lifetimeUs()) / 2;
@@ -155,12 +164,12 @@ final class Merging {
             && common.lost() < (touch || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
     }
 
-    /** The motion that the two have in common which were asked for last and are one. */
+    /** The common motion of the two planes that were asked about last and are one. */
     Motion motion() {
         return bond == Bond.BODY ? body.motion() : common.motion();
     }
 
-    /** By what those two are one. */
+    /** Why those two planes are one. */
     Bond bond() {
         return bond;
     }

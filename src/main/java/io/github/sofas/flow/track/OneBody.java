@@ -5,42 +5,47 @@ import io.github.sofas.flow.motion.Motion;
 import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
- * Whether two structures are parts of one body that turns or grows, though neither shows it by itself: whether the
- * events of both meet at least as often along one motion with rotation and growth as each along its own velocity.
+ * Whether two structures are parts of one body that turns or grows, though neither shows this by itself. They are if
+ * the events of both meet at least as often along one motion with rotation and growth as along the separate velocity of
+ * each.
  *
- * <p>Ours, because the ends of what turns or grows are found at two velocities, and a round or straight end shows
- * neither rotation nor growth. Some rotation and growth explain any two velocities, but two bodies that do neither lose
- * by them. The reverse of {@link TwoBodies}.
+ * <p>Ours, because the ends of a body that turns or grows are found at two velocities, and a round or straight end
+ * shows neither rotation nor growth. Some rotation and growth explain any two velocities, but two bodies that neither
+ * turn nor grow lose metric by them. {@link TwoBodies} is the reverse.
  *
- * <p>The straight or round sides of what comes near lose nothing by velocities of their own. But they all cover what is
- * behind them, so that they give events of one polarity, and go apart; of what goes away they uncover it, and go
- * together. Bodies that move on give events of either polarity, because they uncover behind them what they cover.
+ * <p>The straight or round sides of a body that comes near lose nothing by velocities of their own. But all of them
+ * cover the background, so they give events of one polarity, and they go apart. The sides of a body that goes away
+ * uncover the background, and go together. Bodies that move on give events of either polarity, because they uncover
+ * behind them what they cover.
  */
 final class OneBody {
-    /** What one motion gains where it cannot be told, or clearly loses. */
+    /** Gain of one motion that cannot be determined, or that clearly loses. */
     static final double NOTHING = Double.NEGATIVE_INFINITY;
 
     /** Fewest live events of either part. */
     private static final int LEAST_EVENTS = 50;
     /** Shift of the ends of the window by rotation and growth, in px, below which two bodies would lose too little. */
     private static final double LEAST_TURN_PX = 0.7;
-    /** Turn in rad, or growth as a share, over half the window, above which the parts lie too near. */
+    /** Turn in rad, or growth as a share, over half the window, above which the parts lie too near to each other. */
     private static final double MOST_TURN = 0.5;
-    /** Share of the metric of both that the motion has which their velocities ask for: most two bodies have less. */
+    /**
+     * Least metric along the motion that the two velocities ask for, as a share of the metric along these velocities.
+     * Most pairs of bodies have less.
+     */
     private static final double LEAST_SHARE = 0.8;
-    /** Fewest live events of either part of what grows or shrinks. */
+    /** Fewest live events of either part of a body that grows or shrinks. */
     private static final int LEAST_GROWING_EVENTS = 100;
-    /** Growths that it is started with, of that which the two velocities ask for. */
+    /** Growths to start with, as shares of the growth that the two velocities ask for. */
     private static final double[] GROWING_SHARES = {1, 0.8, 0.64, 0.5};
-    /** Standard deviations that it may lose by one motion: its sides, straight or round, gain nothing. */
+    /** Standard deviations that a growing body may lose by one motion: its sides, straight or round, gain nothing. */
     private static final double MOST_LOST_SIGMAS = 2;
-    /** Velocity at which its parts go apart at least, of that at which they go on. */
+    /** Least velocity at which the parts go apart, as a share of the velocity at which the body moves on. */
     private static final double LEAST_SPREAD = 0.5;
-    /** Growth per s that is too fast to be one body's: what grows so is 0.4 s before the camera. */
+    /** Growth per s that is too fast for one body, which would be 0.4 s before the camera. */
     private static final double MOST_GROWTH_PER_S = 2.5;
-    /** How often that motion is improved. */
+    /** How often the common motion is improved. */
     private static final int ROUNDS = 2;
-    /** Events are projected in steps of this part of a pixel. */
+    /** Step, in px, by which events are projected. */
     private static final double STEP_PX = 1.0 / 32;
 
     private final Motion motion = new Motion();
@@ -48,7 +53,7 @@ final class OneBody {
     private final SteppedProjection stepped = new SteppedProjection();
     private final OwnVelocity own = new OwnVelocity();
 
-    /** A part, and its motion in the middle of the window, as it is asked about. */
+    /** One of the two parts, and its motion in the middle of the window, as it is asked about. */
     private static final class Part {
         private final Motion motion = new Motion();
         private LiveEvents live;
@@ -57,17 +62,17 @@ final class OneBody {
 
     private final Part one = new Part();
     private final Part other = new Part();
-    /** Of the larger one, in px. */
+    /** Radius of the larger structure, in px. */
     private double radius;
-    // the window that both have in common: its beginning, and half of it in s
+    // the window that both parts have in common: its beginning, and half its length in s
     private long fromUs;
     private double half;
-    /** Distance of the parts' centres, and the greatest of an event from the middle, in px. */
+    /** Distance between the centres of the parts, and greatest distance of an event from the middle, in px. */
     private double apart;
     private double reach;
 
     /**
-     * Takes two structures, of all tiles, to ask it of.
+     * Takes the two structures to ask about, with the events of all of their tiles.
      *
      * @param radiusPx of the larger structure
      */
@@ -79,7 +84,7 @@ final class OneBody {
         radius = radiusPx;
     }
 
-    /** What the metric of their events gains by one motion, in standard deviations, or {@link #NOTHING}. */
+    /** Gain of the metric of their events by one motion, in standard deviations, or {@link #NOTHING}. */
     double sigmasGained(MetricFit fit) {
         if (!begin(LEAST_EVENTS, fit) || !isTold()) {
             return NOTHING;
@@ -90,8 +95,8 @@ final class OneBody {
     }
 
     /**
-     * Whether two structures that give events of the same polarity grow or shrink as one body: their events meet as
-     * often along one motion that does not turn, and the two go apart, or together, at half of its velocity or more.
+     * Whether two structures that give events of the same polarity grow or shrink as one body. If so, their events meet
+     * as often along one motion that does not turn, and the two go apart, or together, at half of its velocity or more.
      */
     boolean growsOrShrinks(MetricFit fit) {
         if (!begin(LEAST_GROWING_EVENTS, fit)) {
@@ -109,8 +114,8 @@ final class OneBody {
     }
 
     /**
-     * Starts with the growth that is best of those that the two velocities may ask for. That of a corner, which its two
-     * edges show, is that of its tip, farther out than its middle.
+     * Starts with the best of the growths that the two velocities may ask for. The growth that the two edges of a
+     * corner show is that of its tip, which lies farther out than its middle.
      */
     private void startGrowing(MetricFit fit) {
         double vx = motion.vx;
@@ -133,16 +138,17 @@ final class OneBody {
         together(fit);
     }
 
-    /** Whether the events that are loaded along the one motion are too few, or meet much less often by it. */
+    /** Whether the events that are loaded along the one motion are too few, or meet much less often along it. */
     private boolean isWorse(double separately, MetricFit fit) {
         return fit.size() < 2 * LEAST_EVENTS || fit.metric() < LEAST_SHARE * separately;
     }
 
     /**
-     * What the metric gains by the one motion, once that and the velocities of both are improved.
+     * Gain of the metric by the one motion, in standard deviations, once that motion and the velocities of both parts
+     * have been improved.
      *
-     * @param turns whether it may turn
-     * @param fit has the events of both along it
+     * @param turns whether the motion may turn
+     * @param fit holds the events of both along it
      */
     private double gained(boolean turns, MetricFit fit) {
         for (int round = 0; round < ROUNDS; round++) {
@@ -165,13 +171,15 @@ final class OneBody {
         return (metric - separately(fit)) / MetricFit.sd(metric);
     }
 
-    /** The motion of both as one body, in the middle of the window that they had in common when they were asked. */
+    /**
+     * The motion of both as one body, in the middle of the window that they had in common when they were asked about.
+     */
     Motion motion() {
         return motion;
     }
 
     /**
-     * Begins with the rotation and the growth that the two velocities ask for; returns whether there are events enough,
+     * Begins with the rotation and the growth that the two velocities ask for. Returns whether there are enough events,
      * and not more than can be measured.
      */
     private boolean begin(int leastEvents, MetricFit fit) {
@@ -212,7 +220,10 @@ final class OneBody {
         return a + shareOfB * (b - a);
     }
 
-    /** Whether rotation and growth shift the ends of the window, at the centres of the parts, by enough to be told. */
+    /**
+     * Whether rotation and growth shift the ends of the window, at the centres of the parts, by enough to show, and are
+     * not too much to be measured.
+     */
     private boolean isTold() {
         double turn = Math.hypot(motion.omega, motion.growth) * half;
         return turn * apart / 2 >= LEAST_TURN_PX && turn <= MOST_TURN;
@@ -240,7 +251,7 @@ final class OneBody {
         improve(part.motion, fit);
     }
 
-    /** Takes a motion to the velocity by which the loaded events meet most often. */
+    /** Takes a motion to the velocity along which the loaded events meet most often. */
     private void improve(Motion along, MetricFit fit) {
         own.begin(fit, half);
         own.goOn(fit, half);

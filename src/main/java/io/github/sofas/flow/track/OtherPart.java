@@ -1,16 +1,19 @@
 package io.github.sofas.flow.track;
 
 /**
- * The older structure that may be a part of the same body, and how clearly it is: one at a time, which is asked each
- * few px of travel. One that was asked in vain lets others go first.
+ * The older structure that may be a part of the same body, and how clearly it is. There is one such structure at a
+ * time, and it is asked about each few px of travel. After an answer of no, other structures go first.
  */
 final class OtherPart {
     private static final double EVERY_PX = 4;
-    /** The same of one that lets others go first. */
+    /** Travel between two questions about a structure that lets others go first, in px. */
     private static final double LATER_PX = 6;
-    /** Standard deviations that one motion must gain each time to be the more likely: noise gains and loses as much. */
+    /**
+     * Standard deviations that one motion must gain each time to be more likely than two: noise gains and loses as
+     * much.
+     */
     private static final double NOISE_SIGMAS = 0.5;
-    /** Sum of what it gains beyond that, from which on the two are one body. */
+    /** Sum of the gains beyond that from which on the two structures are one body. */
     private static final double SURE_SIGMAS = 2;
     private static final int NONE = 0;
 
@@ -26,7 +29,7 @@ final class OtherPart {
     }
 
     /**
-     * Whether a structure is due to be asked.
+     * Whether a structure is due to be asked about.
      *
      * @param speed of the faster of the two, in px/s
      */
@@ -35,7 +38,7 @@ final class OtherPart {
         return (nowUs - askedUs) * 1e-6 * speed >= (goesFirst ? EVERY_PX : LATER_PX);
     }
 
-    /** Notes what a structure gained by one motion, in standard deviations; returns whether the two are one body. */
+    /** Notes what one motion with a structure gained, in standard deviations. Returns whether the two are one body. */
     boolean note(int other, double gained, long nowUs) {
         double before = id == other ? sigmas : 0;
         id = other;

@@ -4,27 +4,30 @@ import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Where a structure is and was: its contour, on which the events of late lie, and what is remembered of it. Both travel
- * along its motion; for how long they hold events follows from its lifetime and speed, and from the noise.
+ * Where a structure is and was: its contour, on which its recent events lie, and a memory of where the contour has
+ * been. Both travel along the motion of the structure. How long they hold events follows from the lifetime, the speed
+ * and the noise.
  *
- * <p>Ours: the paper's track plane has the contour only.
+ * <p>Ours: the paper's track plane has only the contour.
  */
 final class Outline {
-    /** Longest time for which the contour is remembered: what stands still would haunt its place. */
+    /**
+     * Longest time for which the contour is remembered: a structure that stands still would haunt its place otherwise.
+     */
     private static final long MAX_MEMORY_US = 2_000_000;
-    /** Part of the lifetime for which the contour holds events at least. */
+    /** Part of the lifetime for which the contour holds events at the least. */
     private static final int HELD_PART = 8;
-    /** Speed in px/s that what stands is taken to have. */
+    /** Speed in px/s that a structure at rest is taken to have. */
     private static final double LEAST_SPEED = 1e-3;
 
     private final Contour contour;
     private final ContourMemory memory;
     private double memoryPx;
-    /** How many noise events a pixel gave of either polarity last, per µs. */
+    /** Latest rate of noise events per pixel and per µs, of each polarity. */
     private double noisePerUs;
 
     /**
-     * Makes one that holds nothing.
+     * Makes an outline that holds nothing.
      *
      * @param memoryPx travel for which the contour is remembered
      */
@@ -39,7 +42,7 @@ final class Outline {
         return Contour.bytes(sensor) + ContourMemory.bytes(sensor);
     }
 
-    /** Remembers the contour for so many px of travel from then on. */
+    /** Sets the travel, in px, for which the contour is remembered from now on. */
     void setMemoryPx(double px) {
         memoryPx = px;
     }
@@ -51,27 +54,27 @@ final class Outline {
         memory.start(along);
     }
 
-    /** Where events fell of late. */
+    /** Where events fell recently. */
     Contour contour() {
         return contour;
     }
 
-    /** What it was seen as before. */
+    /** Where the contour was seen before. */
     ContourMemory memory() {
         return memory;
     }
 
-    /** How many noise events a pixel gave of either polarity last, per µs. */
+    /** Latest rate of noise events per pixel and per µs, of each polarity. */
     double noisePerUs() {
         return noisePerUs;
     }
 
-    /** Time in which the structure travels the pixels that it remembers its contour for. */
+    /** Time in which the structure travels the pixels for which its contour is remembered. */
     long memoryUs(Motion motion) {
         return (long) Math.min(MAX_MEMORY_US, memoryPx / Math.max(motion.speed(contour.radius()), LEAST_SPEED) * 1e6);
     }
 
-    /** Time for which the contour holds events: the lifetime, less where noise would fill it. */
+    /** Time for which the contour holds events: the lifetime, or less where noise would fill the contour. */
     private long heldUs(long lifetimeUs) {
         return Math.min(lifetimeUs, Math.max(lifetimeUs / HELD_PART, Noise.mostUs(noisePerUs)));
     }
@@ -88,7 +91,8 @@ final class Outline {
     }
 
     /**
-     * Notes an event of now; unless it is remembered, it is the one whose support was asked for last.
+     * Notes a current event. Unless the claim is {@link Claim#REMEMBERED}, it is the event whose support was asked for
+     * last.
      *
      * @return the hash of its tile
      */
@@ -102,9 +106,9 @@ final class Outline {
     }
 
     /**
-     * Lets go what is older than events are held for.
+     * Drops events that are older than the time for which the contour holds them.
      *
-     * @param noise how many noise events a pixel gives of either polarity, per µs
+     * @param noise noise events per pixel and per µs, of each polarity
      * @param either whether events of either polarity are expected where those of one were seen
      */
     void pass(long nowUs, double noise, boolean either, long lifetimeUs) {
@@ -113,25 +117,27 @@ final class Outline {
         contour.fade(nowUs, heldUs(lifetimeUs));
     }
 
-    /** Lets the contour follow a motion that is known a little better, from its reference on. */
+    /** Lets the contour follow a motion that is known a little better now, from the reference of that motion on. */
     void follow(Motion motion, long lifetimeUs) {
         contour.fade(motion.referenceUs, heldUs(lifetimeUs));
         contour.follow(motion);
     }
 
-    /** Draws the contour anew along a motion that was known badly. */
+    /** Redraws the contour from the live events, along a motion that was known badly before. */
     void draw(LiveEvents live, Motion motion, long lifetimeUs) {
         contour.draw(live, motion, heldUs(lifetimeUs));
     }
 
-    /** Takes threshold, size and the motion's centre from the contour as it lies now, and lets the memory follow. */
+    /**
+     * Takes threshold, size and the centre of the motion from the contour as it lies now, and lets the memory follow.
+     */
     void measure(LiveEvents live, Motion motion, long lifetimeUs) {
         contour.measure(live, motion, Noise.support(noisePerUs, heldUs(lifetimeUs)));
         motion.moveCentre(contour.centreX(), contour.centreY());
         remember(motion);
     }
 
-    /** Lets the memory follow a motion to its reference. */
+    /** Lets the memory follow a motion up to the reference of that motion. */
     void remember(Motion motion) {
         memory.follow(motion, memoryUs(motion));
     }

@@ -3,7 +3,10 @@ package io.github.sofas.flow.track;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.fit.VelocityTop;
 
-/** The velocity that some events of a structure show by themselves, beside the motion that they are projected along. */
+/**
+ * The velocity that some events of a structure show by themselves, in addition to the motion that they are projected
+ * along.
+ */
 final class OwnVelocity {
     /** Fits after the first step. */
     private static final int FITS = 2;
@@ -11,7 +14,7 @@ final class OwnVelocity {
     private double vx;
     private double vy;
 
-    /** In px/s. */
+    /** Velocity to the right, in px/s. */
     double vx() {
         return vx;
     }
@@ -21,7 +24,7 @@ final class OwnVelocity {
         return vy;
     }
 
-    /** What it shifts the ends of the window by, in px. */
+    /** Shift of the ends of the window by this velocity, in px. */
     double shiftPx(double half) {
         return Math.hypot(vx, vy) * half;
     }
@@ -29,9 +32,9 @@ final class OwnVelocity {
     /**
      * Takes a first step from the motion that the events were projected along, by the slopes of the metric.
      *
-     * @param fit has the events
+     * @param fit holds the events
      * @param half half the window in s
-     * @return the metric before it
+     * @return the metric before the step
      */
     double begin(MetricFit fit, double half) {
         double px = px(half);
@@ -41,7 +44,7 @@ final class OwnVelocity {
         return step(fit.fitSlopes(px, MetricFit.FLAT_SIGMAS), fit, px);
     }
 
-    /** Goes on to the top of the metric; returns the metric about there. */
+    /** Continues to the top of the metric; returns the metric near the top. */
     double goOn(MetricFit fit, double half) {
         double metric = 0;
         for (int i = 0; i < FITS; i++) {

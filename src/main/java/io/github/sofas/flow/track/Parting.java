@@ -8,44 +8,50 @@ import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 
 /**
- * Whether a part of a track plane is a body of its own: of its live events, laid on each other along its motion, those
- * that lie apart from the others, if another velocity makes them sharper beyond doubt; or else one of two bodies that
- * seem to turn or grow together ({@link TwoBodies}).
+ * Whether a part of a track plane is a body of its own. The live events are laid on each other along the motion of the
+ * plane. A part that lies apart from the others is a body of its own if another velocity makes it sharper beyond doubt.
+ * Or else the part is one of two bodies that seem to turn or grow together ({@link TwoBodies}).
  *
- * <p>Ours, because two bodies that moved about alike when they were found, or merged, have one motion from then on that
- * is right for neither, and each measurement finds the best one for both.
+ * <p>Ours, because two bodies that moved about alike when they were found or merged have one motion from then on. It is
+ * right for neither of them, and each measurement finds the best one for both.
  */
 final class Parting {
-    /** Side of the cells that events lie apart by, in px, as a power of two. */
+    /** Side of the cells by which parts lie apart, in px, as a power of two. */
     private static final int CELL_BITS = 2;
-    /** Cells around the sensor: along its motion an event may lie outside. */
+    /** Cells around the sensor: along the motion, an event may lie outside the sensor. */
     private static final int MARGIN = 8;
-    /** Events of a cell that belongs to a body: a lone one is noise. */
+    /** Fewest events of a cell that belongs to a body: a lone event is noise. */
     private static final int LEAST_IN_CELL = 2;
-    /** Fewest events of a part that is looked at. */
+    /** Fewest events of a part that is examined. */
     private static final int LEAST_EVENTS = 60;
     /** Standard deviations that the metric of a part must gain by a velocity of its own. */
     private static final double SHOWN_SIGMAS = 7;
-    /** What it shifts the ends of the window by, in px, at least, and at most: farther off are false tops. */
+    /**
+     * Least and greatest shift of the ends of the window by that velocity, in px: farther off are false tops of the
+     * metric.
+     */
     private static final double LEAST_SHIFT_PX = 0.5;
     private static final double MOST_SHIFT_PX = 3;
-    /** Shift by the first step towards it below which the part moves with the rest, which spares most two fits. */
+    /**
+     * Shift of the ends of the window by the first step towards that velocity, in px, below which the part moves with
+     * the rest. This spares most parts two fits.
+     */
     private static final double LEAST_FIRST_PX = 0.25;
-    /** Events are projected in steps of this part of a pixel. */
+    /** Step, in px, by which events are projected. */
     private static final double STEP_PX = 1.0 / 32;
     private static final int NOWHERE = -1;
     private static final int NONE = 0;
 
     private final int columns;
     private final int rows;
-    /** Events of each cell, and the part that it is of, from 1 on; {@link #NONE} for none. */
+    /** Events of each cell, and the part that the cell belongs to, from 1 on; {@link #NONE} for none. */
     private final int[] events;
     private final int[] parts;
     /** Events of each part. */
     private final int[] sizes;
-    /** Cells of a part whose neighbours are not looked at yet. */
+    /** Cells of a part whose neighbours have not been visited yet. */
     private final int[] waiting;
-    /** Around the cells that have any events: of a large sensor, a small structure has few. */
+    /** Box around the cells that have events: a small structure covers few cells of a large sensor. */
     private final PixelBox box = new PixelBox();
     /** Cell of each live event, by its index. */
     private final int[] cells = new int[LiveEvents.CAPACITY];
@@ -56,7 +62,7 @@ final class Parting {
     private final OwnVelocity own = new OwnVelocity();
     private final TwoBodies two;
     private boolean areTwo;
-    /** Motions of the part that was found last, and of what is left without it. */
+    /** Motions of the part that was found last, and of the structure without that part. */
     private final Motion motionOfPart = new Motion();
     private final Motion rest = new Motion();
 
@@ -90,7 +96,7 @@ final class Parting {
         return rest;
     }
 
-    /** Whether a live event, by its index, is one of the part that was found last. */
+    /** Whether a live event, by its index, belongs to the part that was found last. */
     boolean isOfPart(int i) {
         return areTwo ? two.isOfSmaller(i) : found != NONE && isOf(found, i);
     }
@@ -100,7 +106,7 @@ final class Parting {
     }
 
     /**
-     * Looks for the part, lying apart from the others, that is a body of its own most clearly.
+     * Looks for the part that lies apart from the others and is most clearly a body of its own.
      *
      * @param live the events of the structure, of all tiles
      * @param motion of the structure
@@ -138,7 +144,7 @@ final class Parting {
     }
 
     /**
-     * Looks for two bodies that seem to turn or grow together, of which the one with fewer events is the part.
+     * Looks for two bodies that seem to turn or grow together. The one with fewer events is the part.
      *
      * @param motion of the structure
      * @return whether there are two
@@ -153,12 +159,14 @@ final class Parting {
         return areTwo;
     }
 
-    /** Whether the structure of which it was asked last whether it is two turned or grew enough to seem so. */
+    /**
+     * Whether the structure that {@link #findTwo} examined last turned or grew enough for two bodies to look like it.
+     */
     boolean turns() {
         return two.turns();
     }
 
-    /** Whether the structure of which it was asked last whether it is two clearly turned or grew as one. */
+    /** Whether the structure that {@link #findTwo} examined last clearly turned or grew as one body. */
     boolean isClearlyOne() {
         return two.isClearlyOne();
     }
@@ -167,7 +175,7 @@ final class Parting {
         stepped.begin(along, along.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
     }
 
-    /** Notes on which cell each event falls, and counts those of each cell that the structure alone claims. */
+    /** Notes the cell that each event falls on, and counts the events of each cell that the structure alone claims. */
     private void layOnCells(LiveEvents live, double radius) {
         wipe();
         begin(live, radius);
@@ -195,7 +203,7 @@ final class Parting {
         box.clear();
     }
 
-    /** Numbers the parts: cells with events that touch; returns how many there are. */
+    /** Numbers the parts, which are groups of touching cells with events. Returns how many parts there are. */
     private int connect() {
         int count = 0;
         for (int row = box.top; row <= box.bottom; row++) {
@@ -212,7 +220,7 @@ final class Parting {
         return events[cell] >= LEAST_IN_CELL && parts[cell] == NONE;
     }
 
-    /** Gives a number to all cells that are connected to one; returns how many events they have. */
+    /** Gives a number to all cells that are connected to a first cell. Returns how many events they have. */
     private int spread(int first, int number) {
         int size = 0;
         int open = 0;
@@ -233,7 +241,10 @@ final class Parting {
         return size;
     }
 
-    /** What the metric of the part gains by the velocity that suits it best; nothing where that is about the same. */
+    /**
+     * Gain of the metric of a part by the velocity that suits it best, in standard deviations. The gain is 0 where that
+     * velocity is about the common one, or too far from it.
+     */
     private double sigmasGained(int part, LiveEvents live, double radius, double half, MetricFit fit) {
         fit.clear();
         begin(live, radius);

@@ -1,17 +1,18 @@
 package io.github.sofas.flow.track;
 
 /**
- * When a structure is asked whether a part of it is a body of its own, each few px of its travel, and when whether it
- * is two that seem to turn, too: what clearly turned as one body, or grew, half as often from then on. The answer stays
- * the same, and takes as long as several measurements.
+ * When a structure is asked whether a part of it is a body of its own: each few px of its travel. At some of these
+ * times it is asked, too, whether it is two bodies that seem to turn. Each time that it clearly turned or grew as one
+ * body, this second question is asked half as often from then on, down to one time in {@value #MOST_TO_TWO}: its answer
+ * stays the same, and takes as long as several measurements.
  */
 final class PartingSchedule {
     private static final double EVERY_PX = 4;
-    /** Of those times, the most to the next one at which it is asked whether it is two. */
+    /** The second question is asked at least once in so many times. */
     private static final int MOST_TO_TWO = 8;
 
     private long askedUs;
-    /** Times until it is asked whether it is two, and from one such time to the next. */
+    /** Times until the second question is asked, and from one such question to the next. */
     private int untilTwo;
     private int betweenTwo;
 
@@ -21,29 +22,29 @@ final class PartingSchedule {
         askSoonForTwo();
     }
 
-    /** Asks whether it is two the next time. */
+    /** Has the second question asked the next time. */
     void askSoonForTwo() {
         betweenTwo = 1;
         untilTwo = 1;
     }
 
-    /** Whether a structure of some speed is due. */
+    /** Whether a structure of some speed, in px/s, is due to be asked. */
     boolean isDue(double speed, long nowUs) {
         return (nowUs - askedUs) * 1e-6 * speed >= EVERY_PX;
     }
 
-    /** Begins to ask. */
+    /** Notes that the structure is asked now. */
     void begin(long nowUs) {
         askedUs = nowUs;
         untilTwo--;
     }
 
-    /** Whether it is to be asked whether it is two, too. */
+    /** Whether the second question is to be asked now, too. */
     boolean isForTwo() {
         return untilTwo <= 0;
     }
 
-    /** Notes the answer where it was asked whether it is two. */
+    /** Notes the answer to the second question. */
     void note(boolean isClearlyOne) {
         betweenTwo = isClearlyOne ? Math.min(MOST_TO_TWO, 2 * betweenTwo) : 1;
         untilTwo = betweenTwo;

@@ -2,15 +2,15 @@ package io.github.sofas.flow.track;
 
 import io.github.sofas.flow.motion.Motion;
 
-/** How far a structure has come along its motion of late. */
+/** How far a structure has come along its motion recently. */
 final class PastTravel {
-    /** Parts of the time in which the speed is looked at. */
+    /** Parts of the time, in the middle of which the speed is evaluated. */
     private static final int PARTS = 4;
 
     private final Motion past = new Motion();
 
     /**
-     * Travel until now, in px.
+     * Travel from a time until now, in px.
      *
      * @param radius of the structure in px
      */

@@ -5,39 +5,42 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * When the last events of each pixel were, ON and OFF apart. From them {@link #traceBeyond} tells whether an
+ * The times of the last events of each pixel, ON and OFF apart. From them {@link #traceBeyond} determines how far an
  * edge came along a motion.
  *
- * <p>Ours, because contours do not tell structures apart that overlap: each has what its plane was given before. Where
- * the events of late were is the same whatever they were taken for.
+ * <p>Ours, because contours do not separate structures that overlap: each contour holds what its plane was given
+ * before. The places of recent events are the same, whatever the events were taken for.
  *
- * <p>The last {@value #KEPT} events of a pixel and polarity are one {@code long}: the tick of the newest above the gaps
- * to those before, so that an event is noted by one load and one store, and the history of a DAVIS346 takes 1.4 MB.
+ * <p>The last {@value #KEPT} events of a pixel and polarity are one {@code long}: the tick of the newest event, above
+ * the gaps to the earlier ones. An event is therefore noted by one load and one store, and the history of a DAVIS346
+ * takes 1.4 MB.
  */
 final class PixelHistory {
-    /** Px of travel that a trace goes back. */
+    /** Travel, in px, that a trace goes back. */
     static final int TRACE_PX = 8;
-    /** What a px of travel counts for with an event on the very pixel where the edge was; else 1. */
+    /** Count of a px of travel with an event on the very pixel where the edge was; an event beside it counts 1. */
     static final int ON_THE_PIXEL = 3;
     /** Events that are kept of each pixel and polarity. */
     private static final int KEPT = 4;
-    /** Px of travel within which what came from beyond the border has just come. */
+    /** Travel, in px, within which an edge from beyond the border has just come in. */
     private static final int ENTRY_PX = 5;
-    /** Speed that a px of travel takes its time from where an edge moves more slowly: what stands has none. */
+    /**
+     * Least speed from which the time of a px of travel is computed, for edges that move more slowly or stand still.
+     */
     static final double SLOWEST_PX_PER_S = 1;
 
-    /** Ticks are 64 µs: a sixteenth of the time in which 1,000 px/s travel a px. */
+    /** Ticks are 64 µs, a sixteenth of the time that a px of travel takes at 1,000 px/s. */
     private static final int TICK_BITS = 6;
     private static final double TICKS_PER_US = 1.0 / (1 << TICK_BITS);
     private static final int GAP_BITS = 13;
-    /** Longest gap between two events of a pixel, half a second, after which the earlier ones are forgotten. */
+    /** Longest gap between two events of a pixel, half a second; after it the earlier events are forgotten. */
     private static final int LONGEST_GAP = (1 << GAP_BITS) - 1;
     private static final int GAPS_BITS = (KEPT - 1) * GAP_BITS;
-    /** Gaps of a pixel that has no event but its newest, whose tick is 0 where it has none at all. */
+    /** Gaps of a pixel that has no event before its newest. The tick of a pixel without any event is 0. */
     private static final long NO_EVENTS_BEFORE = (1L << GAPS_BITS) - 1;
     /** Tick of the first event: more than any trace goes back. */
     private static final int FIRST_TICK = 1 << 20;
-    /** Ticks after which they are counted from a later origin, 18 minutes. */
+    /** Ticks after which they are counted from a later origin: 18 minutes. */
     private static final int SPAN_TICKS = 1 << 24;
 
     private final int width;
@@ -93,7 +96,7 @@ final class PixelHistory {
         return (int) (events >>> GAPS_BITS);
     }
 
-    /** Counts ticks from a later origin; what was before the one of now is long over. */
+    /** Counts ticks from a later origin. Events before the new origin are long past, and are forgotten. */
     private void moveOrigin(long nowUs) {
         if (ticks(nowUs) >= FIRST_TICK + 2L * SPAN_TICKS) {
             clear();
@@ -113,11 +116,12 @@ final class PixelHistory {
     }
 
     /**
-     * How far an edge that fires now came along a motion: a px of travel counts {@value #ON_THE_PIXEL} where an event
-     * of its polarity was on the very pixel when the edge must have been there, and 1 where one was on a pixel beside
-     * it; 0 to 24.
+     * How far an edge that fires now came along a motion, as a count from 0 to 24. A px of travel counts
+     * {@value #ON_THE_PIXEL} where an event of the edge's polarity was on the very pixel when the edge must have been
+     * there. It counts 1 where such an event was on a pixel beside it.
      *
-     * @param known trace that it is to be more than, -1 for any; of one that is no more, any that is no more is told
+     * @param known trace that the result is to exceed, -1 for any; a trace that does not exceed it may be returned as
+     *     any value that does not
      */
     int traceBeyond(int known, int x, int y, long timeUs, int polarity, Motion motion) {
         double vx = motion.vxAt(x, y, timeUs);
@@ -135,12 +139,12 @@ final class PixelHistory {
         return trace;
     }
 
-    /** Whether an edge that fires now may have come from beyond the border of the sensor just before. */
+    /** Whether an edge that fires now may just have come from beyond the border of the sensor. */
     boolean isNearBorder(int x, int y) {
         return x < ENTRY_PX || y < ENTRY_PX || x >= width - ENTRY_PX || y >= height - ENTRY_PX;
     }
 
-    /** Whether it did along a motion. */
+    /** Whether an edge that fires now has just come from beyond the border along a motion. */
     boolean cameIn(int x, int y, long timeUs, Motion motion) {
         double vx = motion.vxAt(x, y, timeUs);
         double vy = motion.vyAt(x, y, timeUs);
@@ -148,7 +152,7 @@ final class PixelHistory {
         return !isOnSensor((int) Math.rint(x - entryS * vx), (int) Math.rint(y - entryS * vy));
     }
 
-    /** How long it takes to travel some px at a velocity, in s; of what stands, as long as of what hardly moves. */
+    /** Time to travel some px at a velocity, in s; an edge at rest is taken to move at {@link #SLOWEST_PX_PER_S}. */
     static double travelS(double px, double vx, double vy) {
         return px / Math.max(SLOWEST_PX_PER_S, Math.sqrt(vx * vx + vy * vy));
     }
@@ -157,7 +161,7 @@ final class PixelHistory {
         return x >= 0 && y >= 0 && x < width && y < height;
     }
 
-    /** What a px of travel counts for whose events are those at a place within a time. */
+    /** Count of a px of travel, by the events at a place within a span of time. */
     private int met(double atX, double atY, int polarity, int fromTick, int untilTick) {
         int x = (int) Math.rint(atX);
         int y = (int) Math.rint(atY);

@@ -2,29 +2,38 @@ package io.github.sofas.flow.track;
 
 /**
  * Whether the motion of a structure predicts its events: whether they meet more often along it than where they are.
- * Ours, because a motion that has run away, as it does where something small turns back, goes on to label what happens
- * to lie on its contour. It is the yardstick of flow without a truth (flow warp loss, Stoffregen et al. 2020), as far
- * as the past tells it.
+ * Ours, because a motion that has run away, as it does where a small structure reverses, goes on to label what happens
+ * to lie on its contour. The criterion is the yardstick of flow without ground truth (flow warp loss, Stoffregen et al.
+ * 2020), as far as past events show it.
  *
- * <p>Measuring climbs to the best of many velocities, so that along a motion that is none events meet a little more
- * often than at rest: by a tenth or a fifth where a light trembles or flickers. Of structures it is by a half and more.
- * Where only noise comes, but much of it from a small part of the sensor, they meet no more than by chance either way.
+ * <p>Measuring climbs to the best of many velocities. Even where nothing moves, events therefore meet a little more
+ * often along the measured motion than at rest: by a tenth or a fifth where a light trembles or flickers. Those of
+ * structures do by a half and more. Where only noise comes, but much of it from a small part of the sensor, events meet
+ * no more than by chance either way.
  */
 final class Prediction {
-    /** Metric along a motion that predicts the events, as a multiple of that at rest, at least. */
+    /** Least metric along a motion that predicts the events, as a multiple of that at rest. */
     private static final double PREDICTS = 1.1;
-    /** Metric per event along it, at least: one of a hundred measurements of structures has less than 0.2, noise 0. */
+    /**
+     * Least metric per event along such a motion: one in a hundred measurements of structures has less than 0.2, noise
+     * has 0.
+     */
     private static final double LEAST_DENSITY = 0.1;
-    /** Travel over the window below which both are as good, in px. */
+    /** Travel over the window, in px, below which the motion and rest are equally good. */
     private static final double LEAST_TRAVEL_PX = 2;
-    /** Standard deviations that may be chance: a metric of m, or one of m events by chance, has sqrt(m). */
+    /**
+     * Standard deviations that may be chance. A metric of m has sqrt(m), as has the metric of m events that meet by
+     * chance.
+     */
     private static final double CHANCE_SIGMAS = 1;
-    /** Travel against the events after which there is no structure that moves like this, in px. */
+    /** Travel that the events contradict, in px, after which there is no structure that moves like this. */
     private static final double WRONG_PX = 5;
 
-    /** Metric along the motion, as a multiple of that at rest, of what is judged less often. */
+    /**
+     * Metric along the motion, as a multiple of that at rest, above which the motion is sure and is judged less often.
+     */
     private static final double SURE = 1.5;
-    /** Part of the live events that must have gone before what is sure is judged again. */
+    /** Part of the live events that must have gone before a sure motion is judged again. */
     private static final int SURE_PART = 2;
 
     private boolean holds;
@@ -32,7 +41,7 @@ final class Prediction {
     private long judgedUs;
     private long sureUntilUs = Long.MIN_VALUE;
 
-    /** Begins with a motion that is new, and not to be judged before it is measured again. */
+    /** Begins with a new motion, which is not to be judged before it is measured again. */
     void restart() {
         holds = true;
         wrongPx = 0;
@@ -40,12 +49,18 @@ final class Prediction {
         sureUntilUs = Long.MIN_VALUE;
     }
 
-    /** Whether the events meet along the motion, and more than at rest; else it tells nothing of them for now. */
+    /**
+     * Whether the events meet along the motion, and more often than at rest. If not, the motion predicts nothing for
+     * now.
+     */
     boolean holds() {
         return holds;
     }
 
-    /** Whether they have contradicted it for so long that there is no structure, or none that moves like this. */
+    /**
+     * Whether the events have contradicted the motion for so long that there is no structure, or none that moves like
+     * this.
+     */
     boolean isRefuted() {
         return wrongPx > WRONG_PX;
     }
@@ -71,7 +86,7 @@ final class Prediction {
         sureUntilUs = along > SURE * atRest ? nowUs + windowUs / SURE_PART : nowUs;
     }
 
-    /** Whether it was judged not long ago by events that left no doubt. */
+    /** Whether the motion was judged not long ago, by events that left no doubt. */
     boolean isSure(long nowUs) {
         return nowUs < sureUntilUs;
     }

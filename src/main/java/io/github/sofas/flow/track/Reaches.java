@@ -3,13 +3,14 @@ package io.github.sofas.flow.track;
 import java.util.Arrays;
 
 /**
- * Boxes of the sensor that the contours of track planes do not leave for a time, so that an event is offered only to
- * the planes whose contour it may lie on. Ours, because a crowd has many planes, of which one or two are near an event,
- * and to look an event up on a contour costs several times as much as to compare it with a box.
+ * Boxes on the sensor that the contours of track planes do not leave for a time. An event is offered only to the planes
+ * whose box it lies in. Ours, because a crowd has many planes, of which one or two are near an event. Looking an event
+ * up on a contour costs several times as much as comparing it with a box.
  *
- * <p>A box is one {@code long} of four fields of 16 bits: its left side, its top, and what its right side and its
- * bottom lack of the greatest number of 15 bits. An event lies in it where none of the event's four fields is less.
- * With the highest bit of each field set, one subtraction compares all four: a field that is less takes that bit away.
+ * <p>A box is one {@code long} of four fields of 16 bits: its left side, its top, and the differences of its right side
+ * and of its bottom from the greatest number of 15 bits. An event lies in the box if none of the event's four fields is
+ * less than that of the box. With the highest bit of each field of the event set, one subtraction compares all four: a
+ * field that is less loses that bit.
  */
 final class Reaches {
     /** The box of a contour that no event can lie on. */
@@ -21,7 +22,7 @@ final class Reaches {
     private long untilUs;
     private boolean known;
 
-    /** A box from one column and row to others, with both; what lies beyond 0 and 32,766 is cut off. */
+    /** A box from one column and row to others, both inclusive; what lies beyond 0 and 32,766 is cut off. */
     static long box(double left, double top, double right, double bottom) {
         return pack(cut(left), cut(top), MOST - cut(right), MOST - cut(bottom));
     }
@@ -34,17 +35,17 @@ final class Reaches {
         return (long) a << 48 | (long) b << 32 | c << 16 | d;
     }
 
-    /** An event, to be asked for with {@link #hold}. */
+    /** An event, packed for {@link #hold}. */
     static long event(int x, int y) {
         return pack(x, y, MOST - x, MOST - y) | HIGHEST_BITS;
     }
 
-    /** Whether the boxes tell of a time. */
+    /** Whether the boxes are known and hold for a time. */
     boolean tell(long timeUs) {
         return known && timeUs <= untilUs;
     }
 
-    /** Takes the boxes of all planes, which none of them leaves until a time. */
+    /** Takes the boxes of all planes, which none of their contours leaves until a time. */
     void take(TrackPlane[] planes, int size, long nowUs, long lastUs) {
         known = true;
         untilUs = lastUs;
@@ -56,7 +57,9 @@ final class Reaches {
         }
     }
 
-    /** Takes the box of a plane anew if its contour has changed, and it is one of those whose boxes are known. */
+    /**
+     * Takes the box of a plane anew if its contour has changed, and the plane is one of those whose boxes are known.
+     */
     void follow(TrackPlane plane, TrackPlane[] planes, int size, long nowUs) {
         if (!known || !plane.contour().hasChangedReach()) {
             return;

@@ -6,26 +6,38 @@ import io.github.sofas.flow.motion.Motion;
 
 /**
  * The re-centring of a track plane (paper, section Track Plane): its live events, and when and how its motion is
- * measured from them.
+ * measured from them. Where measuring alone would fail, the velocity is looked for anew ({@link FreshVelocity}), the
+ * speed is corrected ({@link SpeedByEvents}), or the structure is taken to rest ({@link Rest}).
  */
 final class Recentring {
-    /** A plane that gets no events is measured at the latest after this part of its lifetime, and this time. */
+    /**
+     * A plane that gets no further events is measured after both this part of its lifetime and this time, at the
+     * latest.
+     */
     private static final int LATE_PART = 4;
     private static final long LATE_US = 20_000;
     /** Shortest window that shows a motion. */
     private static final long SHORTEST_US = 10;
-    /** Longest lifetime: what stands still would keep its events for ever. */
+    /** Longest lifetime: a structure that stands still would keep its events for ever. */
     private static final long MAX_LIFETIME_US = 1_000_000;
-    /** Part of the events in which a velocity was looked for that must be new to look again. */
+    /** Part of the events last searched for a velocity that must be new before the next search. */
     private static final int LOOK_PART = 4;
-    /** Longest travel in px, and time, of a burst; longer ones would have edges that follow, and what sets off. */
+    /**
+     * Longest travel in px, and longest time, of a burst. Longer bursts would include edges that follow, and events of
+     * a structure that sets off.
+     */
     private static final double BURST_PX = 0.5;
     private static final long BURST_US = 1_500;
-    /** Standard deviations by which the metric along a new velocity must pass that along the motion, and at rest. */
+    /**
+     * Standard deviations by which the metric along a new velocity must exceed that along the motion, and that at rest.
+     */
     private static final double LOOK_SIGMAS = 10;
-    /** The same where it sets off from rest, so that no motion is known to be given up. */
+    /** The same where the structure sets off from rest, so that no known motion is given up. */
     private static final double SET_OFF_SIGMAS = 2;
-    /** Share of the usual events over {@link FreshVelocity#TRAVEL_PX} that show how it sets off: 2.4 px of travel. */
+    /**
+     * Share of the usual events over {@link FreshVelocity#TRAVEL_PX} that shows how a structure sets off: 2.4 px of
+     * travel.
+     */
     private static final double SET_OFF_SHARE = 0.6;
 
     private final Measurement measurement;
@@ -36,14 +48,16 @@ final class Recentring {
     private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private long lifetimeUs;
-    /** How long bursts last, worked out with the lifetime: it is asked for with each event. */
+    /** How long bursts last. It is computed with the lifetime, because each event asks for it. */
     private long burstUs;
     private int sinceMeasured;
     private long measuredUs;
     private long widenedUs;
-    /** When its velocity was looked for anew last. */
+    /** When the velocity was looked for anew last. */
     private long lookedUs;
-    /** Events that it usually gave over {@link FreshVelocity#TRAVEL_PX}, while it sets off from rest; else 0. */
+    /**
+     * Events that the structure usually gave over {@link FreshVelocity#TRAVEL_PX}, while it sets off from rest; else 0.
+     */
     private int setsOffWith;
 
     Recentring(SofasParameters.Track p) {
@@ -64,7 +78,7 @@ final class Recentring {
         lookedUs = nowUs;
     }
 
-    /** Goes on with other parameters. */
+    /** Continues with other parameters. */
     void setParameters(SofasParameters.Track next) {
         p = next;
         measurement.setParameters(next);
@@ -79,7 +93,10 @@ final class Recentring {
         return measurement;
     }
 
-    /** Keeps events for the time in which the structure travels the lifetime's pixels, also from a stand. */
+    /**
+     * Sets the lifetime of events to the time in which the structure travels the lifetime's pixels, also from a
+     * standstill.
+     */
     void followLifetime(Motion along, double radius) {
         double speed = along.speed(radius);
         double spin = along.alpha * radius;
@@ -101,7 +118,7 @@ final class Recentring {
     }
 
     /**
-     * Adds an event, if it is the first one of a burst and of a tile that is measured.
+     * Adds an event if it is the first of a burst, and lies on a tile that is measured.
      *
      * @return whether the motion is to be measured with it
      */
@@ -114,22 +131,22 @@ final class Recentring {
         return sinceMeasured >= measurement.newsNeeded(live.size());
     }
 
-    /** Whether the motion is to be measured because it was not for long. */
+    /** Whether the motion is to be measured because the last measurement was long ago. */
     boolean isLate(long nowUs) {
         long since = nowUs - measuredUs;
         return sinceMeasured > 0 && since > LATE_US && since > lifetimeUs / LATE_PART;
     }
 
-    /** Lets go the events of longer ago than the lifetime. */
+    /** Drops the events that are older than the lifetime. */
     void expire(long nowUs) {
         live.expire(nowUs - lifetimeUs);
     }
 
-    /** The same from time to time, and takes up the events of twice as many tiles where there are few. */
+    /** Drops old events. From time to time, takes up the events of twice as many tiles where there are few. */
     void goOn(long nowUs) {
         expire(nowUs);
         if (nowUs - widenedUs > lifetimeUs) {
-            // once per lifetime: the events of the tiles that are taken anew are complete only then
+            // once per lifetime: only then are the events of the newly taken tiles complete
             widenedUs = nowUs;
             live.widen();
         }
@@ -149,7 +166,7 @@ final class Recentring {
         return rest.sinceUs(motion, live, density, radius, inFullView, nowUs);
     }
 
-    /** Lets go all events of a structure that has come to rest, and waits for those by which it sets off. */
+    /** Drops all events of a structure that has come to rest, and waits for the events by which it sets off. */
     void comeToRest(Motion motion, double radius) {
         setsOffWith = density.usually(live, FreshVelocity.TRAVEL_PX);
         live.clear();
@@ -159,12 +176,12 @@ final class Recentring {
         followLifetime(motion, radius);
     }
 
-    /** Whether the structure gets fewer events than its motion lets expect. */
+    /** Whether the structure gets fewer events than are to be expected of its motion. */
     boolean isStarved() {
         return density.isStarved(live, measurement.lifetimePx(), p.minShare());
     }
 
-    /** Takes what events there are for usual, unless they rush: returns whether they do not. */
+    /** Takes the current density of events as usual, unless the events rush. Returns whether they do not. */
     boolean followDensity(Motion along, double radius, long nowUs) {
         if (density.isRushed(live, along, radius, nowUs)) {
             return false;
@@ -173,7 +190,7 @@ final class Recentring {
         return true;
     }
 
-    /** Begins to measure; returns whether there are live events. */
+    /** Begins a measurement; returns whether there are live events. */
     boolean begin(long nowUs) {
         expire(nowUs);
         sinceMeasured = 0;
@@ -185,7 +202,7 @@ final class Recentring {
      * Measures a motion over the live events, or holds it where they are too few.
      *
      * @param before the motion as it was, with its reference at now
-     * @return whether it was measured: then its reference is the middle of the window
+     * @return whether the motion was measured; if so, its reference is the middle of the window
      */
     boolean measure(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
         if (setsOffWith > 0 && !setsOff(motion, before, radius, fit, nowUs)) {
@@ -196,7 +213,7 @@ final class Recentring {
             lookAnew(motion, before, radius, fit, nowUs);
         }
         if (isStarved()) {
-            // what is left is noise, or too little
+            // the remaining events are noise, or too few
             measurement.hold(motion);
             measurement.judge(false, motion, live, radius, fit, nowUs);
             return false;
@@ -210,8 +227,8 @@ final class Recentring {
     }
 
     /**
-     * Looks for the velocity by which a structure sets off from rest, in all directions: from rest, measuring climbs as
-     * often to one that goes back, of the first px of its edges.
+     * Looks in all directions for the velocity by which a structure sets off from rest. Measuring from rest, by the
+     * first px of its edges, climbs as often to a velocity in the reverse direction.
      *
      * @return whether the motion may be measured, because a velocity was found or as many events came as should show it
      */
@@ -225,7 +242,10 @@ final class Recentring {
         return true;
     }
 
-    /** Looks for the velocity in the newest events alone, once a part of them is new; what came before is forgotten. */
+    /**
+     * Looks for the velocity in the newest events alone, once a part of them is new. If one is found, earlier events
+     * are forgotten.
+     */
     private void lookAnew(Motion motion, Motion before, double radius, MetricFit fit, long nowUs) {
         int usual = density.usually(live, FreshVelocity.TRAVEL_PX);
         int newest = Math.min(live.size(), usual);
@@ -235,7 +255,10 @@ final class Recentring {
         }
     }
 
-    /** Looks for the velocity in some of the newest of those that it usually gives; returns whether any is found. */
+    /**
+     * Looks for the velocity in the newest events; the structure usually gives so many over
+     * {@link FreshVelocity#TRAVEL_PX}. Returns whether one is found.
+     */
     private boolean findAnew(int newest, int usual, double sigmas, Motion motion, Motion before, double radius,
                              MetricFit fit, long nowUs) {
         long fromUs = live.newestFromUs(newest);
@@ -250,9 +273,9 @@ final class Recentring {
     }
 
     /**
-     * Takes over the events of another plane; the motion of all, as it is known, is measured with the next event.
+     * Takes over the events of another plane. The motion of all, as it is known, is measured with the next event.
      *
-     * @param spare a ring to put them in
+     * @param spare a ring to put the events in
      * @return the ring that was used until now
      */
     LiveEvents merge(Recentring other, LiveEvents spare) {
@@ -263,7 +286,9 @@ final class Recentring {
         return used;
     }
 
-    /** Takes the density of now for the usual one; the motion is measured with the next event, once for all changes. */
+    /**
+     * Takes the current density of events as usual. The motion is measured with the next event, once for all changes.
+     */
     void becomeAnother() {
         density.start(live, measurement.lifetimePx());
         sinceMeasured = live.size();

@@ -5,37 +5,38 @@ import io.github.sofas.flow.motion.Motion;
 /**
  * Whether a structure has come to rest: its motion takes it on, but its events do not come.
  *
- * <p>Ours, because what rests fires no events that could show it: as it slowed down it was expected to turn back, or
- * to go on, and what set off again was found anew. What goes behind something fires no events either: only a structure
- * in full view is taken to rest, whose events end sooner than a border could hide it, or one that was expected to turn
- * back just now.
+ * <p>Ours, because a structure at rest fires no events that could show it. As it slowed down, it was expected to turn
+ * back or to go on, and once it set off again it was found anew. A structure that goes behind another fires no events
+ * either. So only two kinds of structure are taken to rest. One is in full view, and its events end sooner than a
+ * border could hide it. The other was expected to turn back just now.
  */
 final class Rest {
-    /** Where the structure has not come to rest. */
+    /** Stands for a structure that has not come to rest. */
     static final long NEVER = Long.MAX_VALUE;
 
-    /** Travel along the motion in which it gives too few events, in px. */
+    /** Travel along the motion, in px, over which the structure gives too few events. */
     private static final double TRAVEL_PX = 1.5;
-    /** Share of the usual events over a px that comes in that travel at most. */
+    /** Greatest share of the usual events per px of travel that comes over that travel. */
     private static final double SHARE = 0.4;
     /**
-     * Times the longest pause in which so few events came, so that it is no pause of its own: a source that sees in
-     * frames, as a simulator of video does, gives none between them.
+     * Least time of that travel, as a multiple of the longest pause in which so few events came, so that it is not
+     * another such pause. A source that sees in frames, as a simulator of video does, gives no events between them.
      */
     private static final double PAUSES = 2;
-    /** Fewest events that tell it. */
+    /** Fewest events that show a rest. */
     private static final int LEAST_EVENTS = 4;
 
     private final PastTravel travel = new PastTravel();
     private final Turn turn = new Turn();
 
     /**
-     * The time since which a structure is at rest, about which its last events came; {@link #NEVER} where it is not.
+     * The time since which a structure is at rest, which is about when its last events came; {@link #NEVER} if it is
+     * not.
      *
      * @param live the structure's events
-     * @param density how many it usually gives
+     * @param density of the events that the structure usually gives
      * @param radius of the structure in px
-     * @param inFullView whether no other structure hides it, nor is it cut off by the border of the sensor
+     * @param inFullView whether no other structure hides it, and the border of the sensor does not cut it off
      */
     long sinceUs(Motion motion, LiveEvents live, EventDensity density, double radius, boolean inFullView,
                  long nowUs) {
@@ -52,7 +53,7 @@ final class Rest {
         return inFullView || turn.isAfter(sinceUs) ? sinceUs : NEVER;
     }
 
-    /** The longest time that so many events in a row took. */
+    /** The longest time that so many successive events took. */
     private static long longestUs(LiveEvents live, int newest) {
         long longestUs = 0;
         for (int k = newest - 1; k <= live.size() - newest; k++) {

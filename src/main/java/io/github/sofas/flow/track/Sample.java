@@ -1,38 +1,40 @@
 package io.github.sofas.flow.track;
 
 /**
- * Which of the live events a motion is measured from, and how many must be new until it is measured again. Ours, so
- * that measuring costs no more per event the more there are.
+ * Selects the live events that a motion is measured from, and determines how many must be new until it is measured
+ * again. Ours, so that the cost per event does not grow with the number of events.
  */
 final class Sample {
     /**
-     * A sample has this part of the live events, but no fewer and no more than {@link #WHOLE} and
-     * {@link #MOST}: measurements are the rarer the more there are, so that it costs no more per event, and
-     * what is weakly known, the velocity along edges, needs many.
+     * A sample has this part of the live events, but at least {@link #WHOLE} and at most {@link #MOST}. The more events
+     * there are, the rarer are measurements, so that the cost per event does not grow. The velocity along edges is
+     * known weakly, and needs many events.
      */
     private static final int PART = 2;
     private static final int MOST = 4096;
-    /** The same of a plane that is no straight edge: twice as many, half as often, tell more. */
+    /** The same for a plane that is no straight edge: twice as many events, half as often, determine more. */
     private static final int MOST_OF_PLANE = 8192;
     /** Fewest events between two measurements. */
     private static final int LEAST_NEWS = 40;
     /**
-     * Parts of events that are all measured, of a sample, and of all live events, of which one must be new. What swings
-     * or comes near is followed late with fewer measurements; those of a sample in stretches are off by the same each
-     * time, and more of them carry a motion away.
+     * One in so many events must be new: of events that are all measured, of a sample, and of all live events. With
+     * fewer measurements, a structure that swings or comes near is followed late. Measurements of a sample in stretches
+     * are off by the same each time, so that more of them carry a motion away.
      */
     private static final int WHOLE_NEWS_PART = 8;
     private static final int NEWS_PART = 4;
     private static final int LIVE_NEWS_PART = 12;
     /**
      * Stretches of the window that a sample is made of, from its beginning to its end. Events of one stretch meet as
-     * often as if all were taken, and those of two lie so far apart in time that they show the velocity; events that
-     * follow each other at once do not, and those of real pixels make it look too fast. Where a stretch is shorter than
-     * a pixel of travel, it begins and ends within what an edge along a row or column fires, which looks like another
-     * velocity and an acceleration: few events are taken whole.
+     * often as if all were taken, and those of two stretches lie so far apart in time that they show the velocity.
+     * Events that follow each other at once do not show it, and those of real pixels make it look too fast. A stretch
+     * that is shorter than a pixel of travel begins and ends while an edge along a row or column still fires, which
+     * looks like another velocity and an acceleration. So few events are taken whole.
      */
     private static final int STRETCHES = 4;
-    /** Live events that are measured whole: with half as many a lonely hexagon's velocity swings by a tenth. */
+    /**
+     * Live events up to which all are measured: with half as many, the velocity of a lonely hexagon swings by a tenth.
+     */
     private static final int WHOLE = 2000;
     /** Metric per event below which a sample is enlarged: thinning events thins their meetings by the square. */
     private static final double DENSITY = 1.5;
@@ -46,17 +48,18 @@ final class Sample {
     }
 
     /**
-     * Learns from a measurement how often they meet.
+     * Learns from a measurement how often the events meet.
      *
-     * @param metric of so many events that were measured, of so many live ones
+     * @param metric of the measured events; measured is their number, and live the number of live events
      */
     void meets(double metric, int measured, int live) {
-        // in a thinned sample events meet by so much less
+        // the events of a thinned sample meet less often, by its share of the live events
         density = metric / measured * live / measured;
     }
 
     /**
-     * New events until the motion is measured again: an eighth of few, a twelfth of many, more where a sample is large.
+     * New events needed until the motion is measured again: an eighth of few, a twelfth of many, more where a sample is
+     * large.
      *
      * @param isPlane whether the live events are those of a plane that is no straight edge
      */
@@ -67,8 +70,8 @@ final class Sample {
     }
 
     /**
-     * How many of so many live events a measurement needs: thinning them thins their meetings by the square, so that
-     * many events that meet seldom are taken whole.
+     * How many of the live events a measurement needs. Thinning events thins their meetings by the square, so that many
+     * events that meet seldom are taken whole.
      *
      * @param isPlane whether they are those of a plane that is no straight edge
      */
@@ -80,7 +83,7 @@ final class Sample {
             : (int) Math.max(least, Math.min(most, live * DENSITY / Math.max(density, 1e-3)));
     }
 
-    /** Number of the k-th event of a sample of so many events, in stretches from the first to the last. */
+    /** Index among the live events of the k-th event of a sample, in stretches from the first event to the last. */
     static int number(int k, int want, int live) {
         return live == want ? k : k + (live - want) * (k * STRETCHES / want) / (STRETCHES - 1);
     }

@@ -4,41 +4,45 @@ import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Corrects a motion by how its events thin out: a structure gives about as many for each px of its travel, so that they
- * tell how far it has come.
+ * Corrects a motion by how its events thin out. A structure gives about as many events per px of its travel at any
+ * speed, so that their number shows how far it has come.
  *
- * <p>Ours, because most of the events that a motion is measured from came while it was fast: what stopped and turned
- * back was taken to go on, was lost there, and found anew once it had moved off. So corrected, it is expected to turn
- * back where it does; whether it does or stays, its events tell, too. They also become fewer where something hides the
- * structure, or where its path bends: of a motion that is not known to change its speed, only that of a structure in
- * full view is corrected, and only if the metric agrees. No motion is made faster, since more events may be those of
- * something else.
+ * <p>Ours, because most of the events that a motion is measured from came while the structure was fast. A structure
+ * that stopped and turned back was taken to go on, was lost there, and was found anew once it had moved off. With the
+ * correction it is expected to turn back where it does, and its events show whether it does or stays.
+ *
+ * <p>Events also become fewer where something hides the structure, or where its path bends. A motion that is not known
+ * to change its speed is therefore corrected only for a structure in full view, and only if the metric agrees. No
+ * motion is made faster, since more events may be those of something else.
  */
 final class SpeedByEvents {
-    /** Shift of the ends of the window by the acceleration along the motion from which on its speed changes, in px. */
+    /** Shift of the ends of the window by the acceleration along the motion, in px, above which the speed changes. */
     private static final double LEAST_BEND_PX = 0.25;
-    /** Travel of late that is looked at, in px: the shorter, the nearer to now. */
+    /** Recent travel that is examined, in px: the shorter it is, the nearer to now. */
     private static final double TRAVEL_PX = 0.5;
-    /** Fewest events that tell it. */
+    /** Fewest events over that travel that show the speed. */
     private static final int LEAST_EVENTS = 20;
-    /** Share of the travel along a motion that slows down, from which on the motion stays: events come unevenly. */
+    /**
+     * Share of the travel along a motion that slows down, from which on the motion is not corrected: events come
+     * unevenly.
+     */
     private static final double SLOWING_SHARE = 0.8;
-    /** The same of one that speeds up, as it goes on to do from where it was expected to turn back. */
+    /** The same for a motion that speeds up, as it does after the point where it was expected to turn back. */
     private static final double SPEEDING_SHARE = 0.5;
-    /** The same of one that goes on as it is. */
+    /** The same for a motion of steady speed. */
     private static final double STEADY_SHARE = 0.7;
 
     private final PastTravel travel = new PastTravel();
     private final Motion slower = new Motion();
 
     /**
-     * Has a motion go on more slowly, if the events tell so. The velocity of now becomes less, and that in the middle
-     * of the window stays: the acceleration is what was not known.
+     * Slows a motion down if its events show this. The current velocity becomes less, and the velocity in the middle of
+     * the window stays: it is the acceleration that was not known.
      *
-     * @param motion gets now as its reference where it is corrected
+     * @param motion gets now as its reference if it is corrected
      * @param live the structure's events
      * @param radius of the structure in px
-     * @param inFullView whether nothing hides it, nor is it cut off by the border of the sensor
+     * @param inFullView whether nothing hides the structure, and the border of the sensor does not cut it off
      * @return whether it was corrected
      */
     boolean correct(Motion motion, LiveEvents live, double radius, boolean inFullView, Measurement measurement,
@@ -62,7 +66,7 @@ final class SpeedByEvents {
         return isSlower;
     }
 
-    /** Travel of late that the events tell of, as a share of that along the motion; 1 where they are too few. */
+    /** Recent travel that the events indicate, as a share of that along the motion; 1 where the events are too few. */
     private double share(Motion motion, LiveEvents live, double radius, long nowUs) {
         double perPx = live.size() / travel.px(motion, radius, live.oldestUs(), nowUs);
         int newest = (int) (perPx * TRAVEL_PX);
@@ -80,7 +84,7 @@ final class SpeedByEvents {
         slower.vy *= share;
     }
 
-    /** Whether the events meet more often along the slower motion than along the one that is known. */
+    /** Whether the events meet more often along the slower motion than along the known one. */
     private boolean isSharper(Motion motion, LiveEvents live, double radius, Measurement measurement, MetricFit fit,
                               long nowUs) {
         double known = measurement.metric(motion, live, radius, fit, nowUs);

@@ -5,38 +5,43 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * Whether a structure is none of its own, but made of parts of those around it: whether its events meet at least as
- * often along the motions of others, in each tile along the one that suits it best, as along its own.
+ * Whether a structure is none of its own, but is made of parts of the structures around it. It is if its events meet at
+ * least as often along the motions of others, in each tile along the one that suits the tile best, as along its own
+ * motion.
  *
- * <p>Ours, because what was found on two bodies at once has a motion between theirs, which is right for neither, and
- * the round outline of what turns shows no rotation, so that it never moves as the rest does. Of all motions its own is
- * the one by which its events meet most often; so others explain them as well only where they are the true ones.
+ * <p>Ours, because a structure that was found on two bodies at once has a motion between theirs, which is right for
+ * neither. Also, the round outline of a body that turns shows no rotation, so that it never moves as the rest does. Of
+ * all motions, a structure's own is the one along which its events meet most often. So others explain the events as
+ * well only where they are the true ones.
  */
 final class TakenOver {
-    /** Fewest events of its own that it is asked with: few meet as often by any motion. */
+    /** Fewest events of its own for the question to be asked: few events meet as often along any motion. */
     private static final int LEAST_EVENTS = 120;
-    /** By what another motion shifts the ends of the window, in px, at least, where it reaches farthest. */
+    /**
+     * Least shift of the ends of the window by which another motion differs, in px, where the structure reaches
+     * farthest.
+     */
     private static final double LEAST_APART_PX = 0.5;
-    /** The same of its centre, at most: farther off are false tops. */
+    /** Greatest such shift of the structure's centre, in px: farther off are false tops of the metric. */
     private static final double MOST_APART_PX = 6;
-    /** Numbers by which others are known. */
+    /** How many numbers there are to identify other structures. */
     private static final int NUMBERS = Byte.MAX_VALUE + 1;
 
     private final TiledEvents tiled;
-    // of each tile: how often its events meet along a motion, along the best of the others, and whose that is
+    // of each tile: how often its events meet along a motion, and along the best of the others, and whose that one is
     private final long[] met;
     private final long[] best;
     private final byte[] owner;
-    /** How many events the tiles of each of the others have. */
+    /** Number of events on the tiles of each of the other structures. */
     private final int[] share = new int[NUMBERS];
     private final Motion along = new Motion();
     private final Motion others = new Motion();
     private double radius;
     private double half;
     private LiveEvents live;
-    /** Metric of the events along their own motion. */
+    /** Metric of the events along the structure's own motion. */
     private double own;
-    /** Whether it was asked with the motion of any other. */
+    /** Whether the motion of any other structure was tried. */
     private boolean isAsked;
 
     TakenOver(TiledEvents tiled) {
@@ -46,18 +51,18 @@ final class TakenOver {
         owner = new byte[tiled.tiles()];
     }
 
-    /** Bytes of its arrays, but for those of the events. */
+    /** Bytes of its arrays, except those of the events. */
     static long bytes(SensorSize sensor) {
         return (2L * Long.BYTES + 1) * TiledEvents.tiles(sensor);
     }
 
     /**
-     * Begins to ask.
+     * Begins to ask about a structure.
      *
      * @param events of the structure
      * @param motion of the structure
      * @param reach its radius in px
-     * @return whether its events are enough, and not more than can be measured at once
+     * @return whether there are enough events, and not more than can be measured at once
      */
     boolean begin(LiveEvents events, Motion motion, double reach) {
         live = events;
@@ -73,10 +78,10 @@ final class TakenOver {
     }
 
     /**
-     * Asks with the motion of another structure, unless that is about the same, or so far off that it may be a false
-     * top.
+     * Tries the motion of another structure, unless it is about the same, or so far off that it may be a false top of
+     * the metric.
      *
-     * @param number by which it is known, below 128
+     * @param number by which the other structure is known, below 128
      */
     void offer(Motion motion, int number) {
         others.copyFrom(motion);
@@ -86,7 +91,7 @@ final class TakenOver {
             return;
         }
         if (!isAsked) {
-            // most structures have no others about them, or none that move otherwise
+            // most structures have no others around them, or none that move differently
             lay();
         }
         double reach = radius + Math.hypot(others.centreX - along.centreX, others.centreY - along.centreY);
@@ -107,7 +112,7 @@ final class TakenOver {
         Arrays.fill(best, Long.MIN_VALUE);
     }
 
-    /** Whether its events meet as often along the motions of the others. */
+    /** Whether the events meet as often along the motions of the others as along their own. */
     boolean isExplained() {
         if (!isAsked || tiled.size() < LEAST_EVENTS) {
             return false;
@@ -130,12 +135,12 @@ final class TakenOver {
         return heir;
     }
 
-    /** How many events it was asked with. */
+    /** Number of events that the question was asked with. */
     int size() {
         return tiled.size();
     }
 
-    /** Index of the k-th of them among the live events. */
+    /** Index of the k-th of these events among the live events. */
     int index(int k) {
         return tiled.index(k);
     }

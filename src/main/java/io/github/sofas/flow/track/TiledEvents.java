@@ -7,16 +7,16 @@ import io.github.sofas.flow.motion.SteppedProjection;
 import java.util.Arrays;
 
 /**
- * The live events of a structure that it alone claims, laid where they are in the middle of its window along one motion
- * or another, and how often they meet in each tile of 8 x 8 px, by where they lie along its own. Ours, to tell which of
- * several motions suits which part of a structure.
+ * The live events that a structure alone claims, projected along one motion or another to the middle of the structure's
+ * window, and how often they meet in each tile of 8 x 8 px. The tile of an event is where it lies along the structure's
+ * own motion. Ours, to determine which of several motions suits which part of a structure.
  */
 final class TiledEvents {
     /** Side of a tile in px, as a power of two. */
     private static final int TILE_BITS = 3;
-    /** Room around the sensor for what is moved off it, in tiles. */
+    /** Room around the sensor for events that are moved off it, in tiles. */
     private static final int MARGIN = 2;
-    /** Events are projected in steps of this part of a pixel. */
+    /** Step, in px, by which events are projected. */
     private static final double STEP_PX = 1.0 / 32;
 
     private final MeetingPicture picture;
@@ -24,17 +24,17 @@ final class TiledEvents {
     private final int rows;
     private LiveEvents live;
     private int size;
-    // of each event: its index, where it was laid, its time from the middle in s, its polarity, and its tile
+    // of each event: its index, where it was laid, its time from the middle of the window in s, its polarity, its tile
     private final int[] index = new int[Measurement.MOST_EVENTS];
     private final float[] x = new float[Measurement.MOST_EVENTS];
     private final float[] y = new float[Measurement.MOST_EVENTS];
     private final float[] tau = new float[Measurement.MOST_EVENTS];
     private final byte[] sign = new byte[Measurement.MOST_EVENTS];
     private final int[] tile = new int[Measurement.MOST_EVENTS];
-    /** Where they lie in the picture. */
+    /** Places of the events in the picture. */
     private final int[] placeX = new int[Measurement.MOST_EVENTS];
     private final int[] placeY = new int[Measurement.MOST_EVENTS];
-    /** How many each tile has. */
+    /** Number of events of each tile. */
     private final int[] events;
     private final SteppedProjection stepped = new SteppedProjection();
 
@@ -49,7 +49,7 @@ final class TiledEvents {
         return (px - 1 >> TILE_BITS) + 1 + 2 * MARGIN;
     }
 
-    /** How many tiles there are. */
+    /** Number of tiles for a sensor. */
     static int tiles(SensorSize sensor) {
         return tiles(sensor.width()) * tiles(sensor.height());
     }
@@ -65,7 +65,7 @@ final class TiledEvents {
     }
 
     /**
-     * Takes the events of a structure, lays them along its motion, and sorts them by tile.
+     * Takes the events of a structure, projects them along its motion, and sorts them by tile.
      *
      * @param from no more events than can be measured at once
      * @param along the structure's motion, in the middle of the window
@@ -87,7 +87,7 @@ final class TiledEvents {
         sortByTile();
     }
 
-    /** Lays the same events along another motion; their tiles stay. */
+    /** Projects the same events along another motion; their tiles stay. */
     void lay(Motion motion, double reach) {
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * reach, STEP_PX);
         for (int k = 0; k < size; k++) {
@@ -109,8 +109,8 @@ final class TiledEvents {
     }
 
     /**
-     * Finds how often the events of each tile meet where they were laid and moved back by a velocity in px/s; returns
-     * the metric of all.
+     * Determines how often the events of each tile meet where they were laid, moved back by a velocity in px/s. Returns
+     * the metric of all events.
      */
     double meet(double vx, double vy, long[] byTile) {
         picture.clear();
@@ -129,27 +129,27 @@ final class TiledEvents {
         return metric(sum);
     }
 
-    /** What so many meetings are of a metric. */
+    /** Converts a sum of meetings, as of {@link #meet}, to a metric. */
     static double metric(long met) {
         return Math.scalb((double) met, -MeetingPicture.MET_BITS);
     }
 
-    /** How many events there are. */
+    /** Number of events. */
     int size() {
         return size;
     }
 
-    /** How many a tile has. */
+    /** Number of events of a tile. */
     int events(int t) {
         return events[t];
     }
 
-    /** Index of the k-th event among the live ones. */
+    /** Index of the k-th event among the live events. */
     int index(int k) {
         return index[k];
     }
 
-    /** Where it was laid, in px. */
+    /** Place where the k-th event was laid, in px. */
     float x(int k) {
         return x[k];
     }
@@ -158,17 +158,17 @@ final class TiledEvents {
         return y[k];
     }
 
-    /** Its time from the middle of the window in s. */
+    /** Time of the k-th event from the middle of the window, in s. */
     float tauS(int k) {
         return tau[k];
     }
 
-    /** Its polarity, 1 or -1. */
+    /** Polarity of the k-th event, 1 or -1. */
     byte sign(int k) {
         return sign[k];
     }
 
-    /** Its tile. */
+    /** Tile of the k-th event. */
     int tile(int k) {
         return tile[k];
     }

@@ -3,8 +3,8 @@ package io.github.sofas.flow.track;
 import java.util.Arrays;
 
 /**
- * The event that is being labelled, and how far its edge came along the motions of planes. Each is asked for once: a
- * trace looks at up to four pixels for every px of travel. Ours, as {@link PixelHistory} is.
+ * The event that is being labelled, and how far its edge came along the motions of planes. Each trace is computed only
+ * once, because it looks at up to four pixels per px of travel. Ours, as {@link PixelHistory} is.
  */
 final class TracedEvent {
     private final PixelHistory history;
@@ -30,17 +30,17 @@ final class TracedEvent {
         size = 0;
     }
 
-    /** Whether it is one in so many, as its place and time have it. */
+    /** Whether the event is one in so many, chosen by its place and time. */
     boolean isOneIn(int many) {
         return (x ^ y ^ timeUs) % many == 0;
     }
 
-    /** How far its edge came along the motion of a plane, as {@link PixelHistory#traceBeyond}. */
+    /** How far the edge of the event came along the motion of a plane, as {@link PixelHistory#traceBeyond}. */
     int trace(TrackPlane plane) {
         return traceBeyond(-1, plane);
     }
 
-    /** The same, if it is more than a trace that is known; else any that is no more than it. */
+    /** The same trace if it exceeds a known one; else any value that does not exceed that. */
     int traceBeyond(int known, TrackPlane plane) {
         for (int i = 0; i < size; i++) {
             if (planes[i] == plane) {
@@ -63,17 +63,20 @@ final class TracedEvent {
         traces[size++] = trace;
     }
 
-    /** Whether it may have come from beyond the border of the sensor just before. */
+    /** Whether the event may just have come from beyond the border of the sensor. */
     boolean isNearBorder() {
         return history.isNearBorder(x, y);
     }
 
-    /** Whether it did along the motion of a plane. */
+    /** Whether the event just came from beyond the border along the motion of a plane. */
     boolean cameIn(TrackPlane plane) {
         return history.cameIn(x, y, timeUs, plane.motion());
     }
 
-    /** Sixteenths of the live time in which a plane's contour was where it is, as {@link TrackPlane#support}. */
+    /**
+     * Support of the event by the sixteenths of the live time in which a plane's contour was there:
+     * {@link TrackPlane#support}.
+     */
     int support(TrackPlane plane) {
         return plane.support(x, y, timeUs, polarity);
     }

@@ -13,22 +13,26 @@ import io.github.sofas.flow.motion.Motion;
  * A structure that is tracked (paper, section Track Plane): its contour, and its motion, which is measured again and
  * again as the top of the metric of 3 x 3 projections.
  *
- * <p>Ours, because hits alone leave the velocity a tenth off: the metric is compared, not hits counted; neighbours are
- * spaced by what is known along each axis instead of halved and doubled; and the motion has an acceleration, a rotation
- * and a growth, so that the velocity is that of now and not of the middle of the window.
+ * <p>Ours, because hits alone leave the velocity a tenth off. The metric is compared instead of counting hits, and the
+ * distances of neighbours follow from what is known along each axis instead of being halved and doubled. The motion has
+ * an acceleration, a rotation and a growth, so that the velocity is the current one and not that of the middle of the
+ * window.
  *
- * <p>What begins, follows, parts, merges and ends a structure is here in one place. What each of these does is in
- * {@link Recentring}, {@link MeasuredMotion}, {@link Outline}, {@link Wholeness} and {@link Life}.
+ * <p>This class begins, follows, parts, merges and ends a structure. The details are in {@link Recentring},
+ * {@link MeasuredMotion}, {@link Outline}, {@link Wholeness} and {@link Life}.
  */
 public final class TrackPlane {
     /**
-     * Part of its lifetime for which what gets too few events may move otherwise than was measured: so long a structure
-     * takes to turn back.
+     * Part of its lifetime for which a structure that gets too few events may depart from its measured motion: a
+     * structure takes so long to turn back.
      */
     private static final int ADRIFT_PART = 2;
-    /** Standard deviations of the metric that a shift of both ends of the window by a pixel loses where it is known. */
+    /**
+     * Standard deviations of the metric that a shift of both ends of the window by a pixel loses where the velocity is
+     * known.
+     */
     private static final double KNOWN_SIGMAS = 1;
-    /** Travel from which on the motion explains the events of another structure, in px. */
+    /** Travel, in px, from which on the motion may explain the events of another structure. */
     private static final double TAKING_TRAVEL_PX = 6;
 
     private final SensorSize sensor;
@@ -45,7 +49,7 @@ public final class TrackPlane {
     private final OtherPart otherPart = new OtherPart();
 
     private int served;
-    /** Whether it is waited for along a motion that was not measured. */
+    /** Whether the structure is waited for along a motion that was not measured. */
     private boolean adrift;
 
     TrackPlane(SensorSize sensor, Contour.Spare spare, SofasParameters.Track p, MeasuredMotions listener) {
@@ -56,15 +60,16 @@ public final class TrackPlane {
         measured = new MeasuredMotion(listener);
     }
 
-    /** The most bytes that its arrays take. */
+    /** The most bytes that the arrays of a plane take. */
     static long mostBytes(SensorSize sensor) {
         return Outline.bytes(sensor) + LiveEvents.BYTES;
     }
 
     /**
-     * Begins with the velocity of a new structure, which has no number yet; its events are to be added.
+     * Begins with the velocity of a new structure, which has no number yet. The events of the structure are to be added
+     * afterwards.
      *
-     * @param noise how many noise events a pixel gives of either polarity, per µs
+     * @param noise noise events per pixel and per µs, of each polarity
      */
     void start(long nowUs, double vx, double vy, double noise) {
         served++;
@@ -80,32 +85,32 @@ public final class TrackPlane {
         otherPart.start(nowUs);
     }
 
-    /** Gives it its number, under which its motion is told from then on. */
+    /** Gives the structure its number, under which its motion is reported from then on. */
     void number(int id) {
         measured.number(id);
     }
 
-    /** How many structures it has served, with this one. */
+    /** Number of structures that this plane has served, including the current one. */
     public int served() {
         return served;
     }
 
-    /** Its number, from 1 on; 0 where it has none yet. */
+    /** Number of the structure, from 1 on; 0 while it has none yet. */
     public int id() {
         return measured.id();
     }
 
-    /** How it moves. */
+    /** The motion of the structure. */
     public Motion motion() {
         return motion;
     }
 
-    /** How its motion was measured, and what is known of it. */
+    /** How the motion was measured, and what is known of it. */
     Measurement measurement() {
         return recentring.measurement();
     }
 
-    /** An older structure that it may be one with, though they lie apart. */
+    /** An older structure that this one may be one with, though the two lie apart. */
     Companion companion() {
         return companion;
     }
@@ -115,49 +120,49 @@ public final class TrackPlane {
         return otherPart;
     }
 
-    /** The events that its motion is measured from. */
+    /** The events that the motion is measured from. */
     LiveEvents live() {
         return recentring.live();
     }
 
-    /** Where its events fell of late. */
+    /** Where events of the structure fell recently. */
     Contour contour() {
         return contour;
     }
 
-    /** Whether its velocity is known along both axes: that of a straight edge is not along the edge. */
+    /** Whether the velocity is known along both axes. That of a straight edge is not known along the edge. */
     public boolean isVelocityKnown() {
         MotionLoss loss = measurement().loss();
         double px = 2e6 / lifetimeUs();
         return loss.least() * px * px > KNOWN_SIGMAS * MetricFit.sd(loss.metric);
     }
 
-    /** How many live events its structure gave, of which some may not be measured. */
+    /** Number of live events that the structure gave, some of which may not be measured. */
     public long liveEvents() {
         return recentring.live().given();
     }
 
-    /** The polarity that all of its live events have but for noise, as those of an edge; 0 where there is none. */
+    /** The polarity that all of the live events have except for noise, as those of an edge do; 0 if there is none. */
     int commonPolarity() {
         return recentring.live().commonPolarity();
     }
 
-    /** Speed of its contour in px/s, root of the mean square. */
+    /** Root mean square speed of the contour in px/s. */
     public double speed() {
         return motion.speed(contour.radius());
     }
 
-    /** How far it has travelled since it was found, in px, at its speed of now. */
+    /** Travel since the structure was found, in px, at its current speed. */
     double travelPx(long nowUs) {
         return (nowUs - life.firstUs()) * 1e-6 * speed();
     }
 
-    /** Support of an event by the contour; at least {@link #threshold} where it belongs. */
+    /** Support of an event by the contour; at least {@link #threshold} if the event belongs to it. */
     public int support(int x, int y, long timeUs, int polarity) {
         return contour.support(x, y, timeUs, polarity);
     }
 
-    /** Support by what is nearest, of the event whose support was asked for last and that has any. */
+    /** Support by the nearest cells, of the event whose support was asked for last, if it had any. */
     int closeSupport(int polarity) {
         return contour.closeSupport(polarity);
     }
@@ -167,7 +172,7 @@ public final class TrackPlane {
         return contour.threshold();
     }
 
-    /** Close support below which it is doubtful whether an event belongs. */
+    /** Close support below which it is doubtful whether an event belongs to the structure. */
     double sureSupport() {
         return contour.sureSupport();
     }
@@ -176,12 +181,12 @@ public final class TrackPlane {
         return recentring.lifetimeUs();
     }
 
-    /** How long the bursts of its pixels last. */
+    /** How long the bursts of the structure's pixels last. */
     long burstUs() {
         return recentring.burstUs();
     }
 
-    /** What it was seen as before. */
+    /** Where the contour was seen before. */
     ContourMemory memory() {
         return outline.memory();
     }
@@ -189,7 +194,7 @@ public final class TrackPlane {
     /**
      * Adds an event of the structure's past, before its motion is measured for the first time.
      *
-     * @param beginsBurst whether it is the first event of a burst: no other is measured
+     * @param beginsBurst whether it is the first event of a burst: no other event is measured
      */
     void addPast(int x, int y, long timeUs, int polarity, boolean beginsBurst) {
         int tile = outline.see(x, y, timeUs, polarity, Math.max(0, life.firstUs() - timeUs), lifetimeUs());
@@ -198,12 +203,12 @@ public final class TrackPlane {
         }
     }
 
-    /** Notes an event of the past on the contour, as one where more are to come. */
+    /** Notes a past event on the contour, as a place where more events are expected. */
     void see(int x, int y, long timeUs, int polarity, long nowUs) {
         outline.see(x, y, timeUs, polarity, nowUs - timeUs, lifetimeUs());
     }
 
-    /** Whether a place of the sensor lies in the box of the contour, or beside it by so many px at most. */
+    /** Whether a place of the sensor lies in the box of the contour, or at most so many px beside it. */
     public boolean isAround(int x, int y, double marginPx, long nowUs) {
         return contour.isAround(x, y, marginPx, nowUs);
     }
@@ -214,14 +219,15 @@ public final class TrackPlane {
     }
 
     /**
-     * Takes an event, and measures the motion when enough have come.
+     * Takes an event, and measures the motion when enough events have come.
      *
-     * @param claim why it is taken; unless it is remembered, it is the event whose support was asked for last
-     * @param bursts tells the first event of each burst: no other is measured
+     * @param claim why the event is taken; unless this is {@link Claim#REMEMBERED}, it is the event whose support was
+     *     asked for last
+     * @param bursts identifies the first event of each burst: no other event is measured
      */
     void take(int x, int y, long timeUs, int polarity, Claim claim, Bursts bursts, MetricFit fit) {
         if (isPredictive()) {
-            // else it got no flow
+            // otherwise the event got no flow
             life.note(timeUs);
         }
         int tile = outline.take(x, y, timeUs, polarity, claim, lifetimeUs());
@@ -230,17 +236,17 @@ public final class TrackPlane {
         }
     }
 
-    /** Whether its motion tells where its events come from: else they get no flow until it does again. */
+    /** Whether the motion predicts where the events come from. If not, they get no flow until it does again. */
     public boolean isPredictive() {
         return recentring.measurement().isPredictive() && !adrift;
     }
 
     /**
-     * Corrects the motion by how its events thin out, or end; before {@link #update} lets events go, since of what is
-     * slower they are kept for longer. Not along a straight edge, whose velocity is not known: what slides along itself
-     * gives more or fewer events at any speed.
+     * Corrects the motion by how its events thin out, or end. This comes before {@link #update} drops events, since
+     * those of a slower structure are kept for longer. The motion of a straight edge is not corrected, because its
+     * velocity is not known: an edge that slides along itself gives more or fewer events at any speed.
      *
-     * @param isHidden whether others lie where they may hide a part of it
+     * @param isHidden whether other structures lie where they may hide a part of this one
      */
     void correctSpeed(boolean isHidden, MetricFit fit, long nowUs) {
         if (!isVelocityKnown()) {
@@ -255,7 +261,7 @@ public final class TrackPlane {
         }
     }
 
-    /** Takes it to have come to rest: from then on it is waited for where it was. */
+    /** Takes the structure to have come to rest: from then on it is waited for where it was. */
     private void rest(long sinceUs, long nowUs) {
         motion.moveReference(sinceUs);
         outline.remember(motion);
@@ -267,9 +273,9 @@ public final class TrackPlane {
     }
 
     /**
-     * Lets events go, and goes to the state that it is in by now.
+     * Drops old events, and goes to the state that the structure is in by now.
      *
-     * @param noise how many noise events a pixel gives of either polarity, per µs
+     * @param noise noise events per pixel and per µs, of each polarity
      */
     Life.State update(long nowUs, double noise) {
         recentring.goOn(nowUs);
@@ -282,14 +288,14 @@ public final class TrackPlane {
         return state;
     }
 
-    /** Measures the motion of a structure that gets few events and would else wait long. */
+    /** Measures the motion of a structure that gets few events and would otherwise wait for long. */
     void measureIfLate(MetricFit fit, long nowUs) {
         if (recentring.isLate(nowUs)) {
             recentre(fit, nowUs);
         }
     }
 
-    /** Measures the motion over the live events, and lets the outline follow it. */
+    /** Measures the motion from the live events, and lets the outline follow it. */
     void recentre(MetricFit fit, long nowUs) {
         if (!recentring.begin(nowUs)) {
             return;
@@ -302,7 +308,7 @@ public final class TrackPlane {
         carryOn(nowUs);
     }
 
-    /** Goes on along the motion as it is known now. */
+    /** Continues along the motion as it is known now. */
     private void carryOn(long nowUs) {
         motion.moveReference(nowUs);
         if (recentring.live().thinning() == 1 && isMovedOff()) {
@@ -319,18 +325,18 @@ public final class TrackPlane {
         recentring.followLifetime(motion, contour.radius());
     }
 
-    /** Whether the motion was corrected by so much that the contour no longer lies where it is. */
+    /** Whether the motion was corrected by so much that the contour no longer lies where the structure is. */
     private boolean isMovedOff() {
         return contour.isEmpty()
             || motion.speedFrom(before, contour.radius()) * (lifetimeUs() * 0.5e-6) > Contour.REDRAWN_PX;
     }
 
     /**
-     * Takes over the events of another plane; the motion of all is measured with the next event.
+     * Takes over the events of another plane. The motion of all is measured with the next event.
      *
      * @param common the motion that serves both
-     * @param bond by what the two are one
-     * @param spare a ring to put them in
+     * @param bond why the two are one
+     * @param spare a ring to put the events in
      * @return the ring that this plane used until now
      */
     LiveEvents merge(TrackPlane other, Motion common, Merging.Bond bond, LiveEvents spare, long nowUs) {
@@ -355,19 +361,24 @@ public final class TrackPlane {
         return used;
     }
 
-    /** Takes the density of now for the usual one; its motion is measured with the next event, once for all changes. */
+    /**
+     * Takes the current density of events as usual. The motion is measured with the next event, once for all changes.
+     */
     private void becomeAnother() {
         recentring.becomeAnother();
         wholeness.doubt();
     }
 
-    /** Whether it has travelled so far since it was asked last that it is to be asked again what it is made of. */
+    /**
+     * Whether the structure has travelled so far since it was last asked what it is made of that it is to be asked
+     * again.
+     */
     boolean beginsToPart(long nowUs) {
         return life.isTracked() && wholeness.beginsToAsk(speed(), nowUs);
     }
 
     /**
-     * Looks whether a part of the structure is a body of its own, and notes if it is clearly one body.
+     * Looks for a part of the structure that is a body of its own, and notes if the structure is clearly one body.
      *
      * @return whether there is a part, which is to be given up to another plane
      */
@@ -375,29 +386,35 @@ public final class TrackPlane {
         return wholeness.findPart(parting, recentring.live(), motion, contour.radius(), measurement(), fit);
     }
 
-    /** Begins to ask whether others take it over; false of a dense structure, of which only some tiles are known. */
+    /**
+     * Begins to ask whether others take this plane over; false for a dense structure, of which only some tiles are
+     * known.
+     */
     boolean offerTo(TakenOver taken) {
         LiveEvents live = recentring.live();
         return live.thinning() == 1 && taken.begin(live, motion, contour.radius());
     }
 
-    /** Whether its motion changes at a place by half of its speed within a trace: an edge there came another way. */
+    /**
+     * Whether the motion at a place changes by more than half of its speed over the travel of a trace: an edge there
+     * came another way.
+     */
     boolean isBent(int x, int y, long timeUs) {
         return motion.bendsWithin(PixelHistory.TRACE_PX, x, y, timeUs);
     }
 
-    /** The same in its middle, as that of what turns back. */
+    /** The same at the centre of the structure, as for a structure that turns back. */
     boolean isBent() {
         return isBent((int) motion.centreX, (int) motion.centreY, motion.referenceUs);
     }
 
-    /** Whether its motion is known so well that it may explain the events of another structure. */
+    /** Whether the motion is known so well that it may explain the events of another structure. */
     boolean mayTakeOver(long nowUs) {
         return life.isTracked() && isVelocityKnown() && measurement().isSharp() && isPredictive()
             && travelPx(nowUs) >= TAKING_TRAVEL_PX;
     }
 
-    /** Gives the part that was found up to another plane, whose motion is measured from its events. */
+    /** Gives the part that was found up to another plane, whose motion is measured from the events of that part. */
     void giveUp(Parting parting, TrackPlane to, MetricFit fit, long nowUs) {
         to.start(nowUs, parting.motionOfPart().vx, parting.motionOfPart().vy, outline.noisePerUs());
         LiveEvents live = recentring.live();
@@ -417,21 +434,21 @@ public final class TrackPlane {
         becomeAnother();
     }
 
-    /** Tracks on with other parameters. */
+    /** Continues with other parameters. */
     void setParameters(SofasParameters.Track next) {
         outline.setMemoryPx(next.memoryPx());
         recentring.setParameters(next);
     }
 
-    /** Lets all events go, so that the plane can serve another structure. */
+    /** Drops all events, so that the plane can serve another structure. */
     void clear() {
         contour.wipe();
         recentring.live().clear();
     }
 
-    /** What is known of the structure. */
+    /** Returns what is known of the structure. */
     Segment segment(Segment.Fate fate, int mergedInto) {
-        // where all of the contour has faded it was seen last about its centre
+        // a contour that has faded completely was last seen about its centre
         boolean faded = contour.isEmpty();
         long lastUs = life.lastUs();
         Bounds box = contour.box(lastUs);

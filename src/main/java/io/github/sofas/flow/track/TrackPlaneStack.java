@@ -14,17 +14,18 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * The structures that are tracked (paper, section Algorithm).
+ * The structures that are tracked (paper, section Algorithm). Each event is labelled by the track plane that it belongs
+ * to ({@link #label}). From time to time, track planes end, part and merge ({@link #check}).
  *
- * <p>Ours: an event is not offered to the planes in turn but goes to the best of the {@link Candidates}. In turn, the
- * older of two crossing structures would take the other's events.
+ * <p>Ours: an event is not offered to the planes in turn, but goes to the best of the {@link Candidates}. In turn, the
+ * older of two crossing structures would take the events of the other.
  */
 public final class TrackPlaneStack {
-    /** Most events that a track plane's motion is measured from. */
+    /** Most events that the motion of a track plane is measured from. */
     public static final int MOST_MEASURED = Measurement.MOST_EVENTS;
 
     private static final long CHECK_US = 5_000;
-    /** Gap between the boxes of structures, in px, within which the one may hide a part of the other. */
+    /** Gap between the boxes of two structures, in px, within which one may hide a part of the other. */
     private static final double HIDDEN_PX = 4;
 
     private final Consumer<Segment> ended;
@@ -37,7 +38,7 @@ public final class TrackPlaneStack {
     private final Merging merging = new Merging();
     private final Parting parting;
     private final TakenOver taken;
-    /** For the next part: until planes are adopted, those that are not used may be another thread's. */
+    /** A plane for the next part: until planes are adopted, the unused ones may be in use by another thread. */
     private TrackPlane forPart;
     private final Doubts doubts;
     private final PixelHistory history;
@@ -72,20 +73,20 @@ public final class TrackPlaneStack {
         found.open(planes.length, unused, noise.perUs());
     }
 
-    /** The most bytes that the arrays of the stack and its track planes take, but for those of its fit. */
+    /** The most bytes that the arrays of the stack and its track planes take, except those of its fits. */
     public static long mostBytes(SensorSize sensor, SofasParameters.Track p) {
-        // one more plane, for a part, one more ring, for merging, and bursts of what is found and of what is tracked
+        // one more plane, for a part; one more ring, for merging; and bursts of both found and tracked planes
         return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
             + TiledEvents.bytes(sensor) + Parting.bytes(sensor) + TakenOver.bytes(sensor) + Doubts.bytes(sensor)
             + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor) + NoiseRate.bytes(sensor);
     }
 
     /**
-     * Gives an event to the plane that it belongs to, and labels it with the motion that the plane had before, unless
-     * that is found not to predict its events.
+     * Gives an event to the plane that it belongs to. Labels the event with the motion that the plane had before,
+     * unless that motion is found not to predict the events of the plane.
      *
      * @param output takes flow and segment as its entry i; none where no motion predicts the event
-     * @return whether the event is explained; if not, it may be one of a structure that is not tracked yet
+     * @return whether the event is explained; if not, it may belong to a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         candidates.begin(x, y, timeUs, polarity);
@@ -113,7 +114,7 @@ public final class TrackPlaneStack {
             isDoubtful = false;
         } else if (!isExpected) {
             claim = Claim.REMEMBERED;
-            // what turns back comes to where its contour was
+            // a structure that turns back comes to where its contour was
             isDoubtful = best != null && !best.isBent(x, y, timeUs);
         } else {
             isDoubtful = candidates.isDoubtful();
@@ -138,7 +139,9 @@ public final class TrackPlaneStack {
         return !(doubts.note(x, y, isDoubtful) && isDoubtful);
     }
 
-    /** Whether traces are known: of a lone wall they would cost a third of its labels, and nobody else is there. */
+    /**
+     * Whether traces are known. For a lone wall they would cost a third of its labels, and no other structure is there.
+     */
     private boolean keepsHistory() {
         return size > 1;
     }
@@ -149,7 +152,10 @@ public final class TrackPlaneStack {
         output.vyPxPerS[i] = vy;
     }
 
-    /** The plane whose contour was where an event is that lies on none now: the one that remembers most in a time. */
+    /**
+     * The plane whose contour was at the place of an event that lies on no contour now. Of several planes, it is the
+     * one that remembers most in relation to its lifetime.
+     */
     private TrackPlane remembering(int x, int y, long timeUs) {
         TrackPlane best = null;
         double bestRate = 0;
@@ -173,8 +179,8 @@ public final class TrackPlaneStack {
     }
 
     /**
-     * From time to time removes planes whose structures are gone, lets others take over what is theirs, parts planes
-     * that hold two, and merges those that describe one.
+     * From time to time, removes planes whose structures are gone, lets other planes take over what is theirs, parts
+     * planes that hold two bodies, and merges planes that describe one structure.
      */
     public void check(long nowUs) {
         if (nowUs < nextCheckUs) {
@@ -208,7 +214,7 @@ public final class TrackPlaneStack {
         }
     }
 
-    /** Whether others lie where they may hide a part of a plane's structure. */
+    /** Whether other structures lie where they may hide a part of a plane's structure. */
     private boolean isHidden(int i, long nowUs) {
         for (int j = 0; j < size; j++) {
             if (areNear(i, j, nowUs)) {
@@ -222,7 +228,7 @@ public final class TrackPlaneStack {
         return j != i && planes[i].contour().isWithin(HIDDEN_PX, planes[j].contour(), nowUs);
     }
 
-    /** Whether a plane is made of parts of those around it; if so, they take it over, and it ends. */
+    /** Whether a plane is made of parts of the planes around it. If so, they take it over, and it ends. */
     private boolean isTakenOver(int i, long nowUs) {
         TrackPlane plane = planes[i];
         if (!plane.offerTo(taken)) {
@@ -238,7 +244,7 @@ public final class TrackPlaneStack {
         }
         TrackPlane heir = planes[taken.heir()];
         if (plane.isBent() && heir.id() > plane.id()) {
-            // what turned back keeps its number where its new motion was found first by a younger one
+            // a structure that turned back keeps its number where a younger plane found its new motion first
             return false;
         }
         takeOver(plane.live(), nowUs);
@@ -246,7 +252,7 @@ public final class TrackPlaneStack {
         return true;
     }
 
-    /** Gives the events of a plane to those that explain them. */
+    /** Gives the events of a plane to the planes that explain them. */
     private void takeOver(LiveEvents live, long nowUs) {
         for (int k = 0; k < taken.size(); k++) {
             int event = taken.index(k);
@@ -284,12 +290,12 @@ public final class TrackPlaneStack {
         reaches.forget();
     }
 
-    /** The planes that are found and are not in the stack yet. */
+    /** The planes that were found and are not in the stack yet. */
     public FoundPlanes found() {
         return found;
     }
 
-    /** Whether a plane is one of those that are tracked. */
+    /** Whether a plane is one of the tracked planes. */
     public boolean tracks(TrackPlane plane) {
         for (int i = 0; i < size; i++) {
             if (planes[i] == plane) {
@@ -299,17 +305,17 @@ public final class TrackPlaneStack {
         return false;
     }
 
-    /** How many planes are tracked. */
+    /** Number of tracked planes. */
     public int size() {
         return size;
     }
 
-    /** One of them, in no order. */
+    /** One of the tracked planes, in no particular order. */
     public TrackPlane plane(int i) {
         return planes[i];
     }
 
-    /** The plane that is tracked under a number; null for none. */
+    /** The plane that is tracked under a number; null if there is none. */
     public TrackPlane planeOf(int id) {
         for (int i = 0; i < size; i++) {
             if (planes[i].id() == id) {
@@ -320,8 +326,8 @@ public final class TrackPlaneStack {
     }
 
     /**
-     * Tracks the planes that were found; from then on as many may be found as there is room for. Where parts of others
-     * took that meanwhile, what was found last is let go.
+     * Tracks the planes that were found. From then on as many may be found as there is room for. If parts of other
+     * planes took that room meanwhile, the planes that were found last are dropped.
      */
     public void adopt() {
         if (found.size() > 0) {
@@ -341,13 +347,13 @@ public final class TrackPlaneStack {
         }
     }
 
-    /** Notes an event of the past on the contour of a plane that is tracked, as one where more are to come. */
+    /** Notes a past event on the contour of a tracked plane, as a place where more events are expected. */
     public void see(TrackPlane plane, int x, int y, long timeUs, int polarity, long nowUs) {
         plane.see(x, y, timeUs, polarity, nowUs);
         reaches.follow(plane, planes, size, nowUs);
     }
 
-    /** Votes that measurements gave since the start, a measure of work. */
+    /** Votes that measurements have given since the start, a measure of work. */
     public long votes() {
         return fit.votes() + found.votes();
     }
@@ -361,7 +367,7 @@ public final class TrackPlaneStack {
         return segments;
     }
 
-    /** Tracks on with other parameters; where fewer planes are allowed, the last ones end. */
+    /** Continues with other parameters. If fewer planes are allowed, the last ones end. */
     public void setParameters(SofasParameters.Track next) {
         adopt();
         p = next;
@@ -386,7 +392,7 @@ public final class TrackPlaneStack {
         }
     }
 
-    /** Ends all segments, and begins to count them anew. */
+    /** Ends all segments, and restarts their numbers. */
     public void reset() {
         while (size > 0) {
             end(size - 1, Segment.Fate.REMOVED, 0);

@@ -3,17 +3,20 @@ package io.github.sofas.flow.track;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * When a motion turned back, or is to: from then on each edge fires events of the other polarity, as it goes back over
- * where it came from. Ours, because a contour expects what its edges fired of late, and events of before and after
- * cancel each other where they meet, most of all along the true motion.
+ * When a motion turned back, or will turn back. From then on each edge fires events of the other polarity, as it goes
+ * back over where it came from. Ours, because a contour expects the polarity that its edges fired recently. Also,
+ * events from before and after the turn cancel each other where they meet, most of all along the true motion.
  */
 final class Turn {
-    /** Shares of the lifetime, after the turn and before it, in which events may be of either polarity. */
+    /** Shares of the lifetime, after the turn and before it, in which events may have either polarity. */
     private static final double AFTER = 0.5;
     private static final double BEFORE = 0.2;
 
     private final Motion now = new Motion();
-    /** How long ago, in s: negative where it lies ahead, of what slows down; infinite of what is steady. */
+    /**
+     * Time since the turn, in s: negative if the turn lies ahead, as for a motion that slows down; infinite for a
+     * steady motion.
+     */
     private double agoS;
     private long us;
 
@@ -27,18 +30,18 @@ final class Turn {
         us = nowUs - (long) (agoS * 1e6);
     }
 
-    /** Whether it turned not long ago, or may turn by now. */
+    /** Whether the motion turned not long ago, or may turn by now. */
     boolean isNear(long lifetimeUs) {
         double lifetimeS = lifetimeUs * 1e-6;
         return agoS > -BEFORE * lifetimeS && agoS < AFTER * lifetimeS;
     }
 
-    /** Whether it turned after a time. */
+    /** Whether the motion turned after a time. */
     boolean isAfter(long fromUs) {
         return agoS > 0 && us > fromUs;
     }
 
-    /** Polarity that the edge of an event has since the turn. */
+    /** Polarity that the edge of an event fires since the turn. */
     int polarity(long timeUs, int polarity) {
         return timeUs < us ? -polarity : polarity;
     }

@@ -6,31 +6,35 @@ import io.github.sofas.flow.motion.Motion;
 import java.util.Arrays;
 
 /**
- * Whether what seems to turn or grow is two bodies side by side that do neither: whether its events meet more often
- * along two velocities, in each tile along the one that suits it better, than along its motion.
+ * Whether a structure that seems to turn or grow is two bodies side by side that do neither. It is if its events meet
+ * more often along two velocities, in each tile along the one that suits the tile better, than along its motion.
  *
- * <p>Ours, because some rotation and growth explain any two velocities side by side, and each measurement confirms
- * them, as long as the two bodies touch. A body that does turn loses by two velocities: each is right on one line only.
- * So what loses much is one body for certain, though none of its parts shows that it turns, as the shapes of a poster.
+ * <p>Ours, because some rotation and growth explain any two velocities side by side, and each measurement confirms them
+ * as long as the two bodies touch. A body that does turn loses by two velocities: each is right on one line only. So a
+ * structure that loses much is one body for certain, even if none of its parts shows that it turns, as with the shapes
+ * of a poster.
  */
 final class TwoBodies {
-    /** Shift of the ends of the window by rotation and growth, in px, below which they are too little to explain. */
+    /** Shift of the ends of the window by rotation and growth, in px, below which these are too little to explain. */
     private static final double LEAST_TURN_PX = 0.35;
     /** Fewest events of a body. */
     private static final int LEAST_EVENTS = 60;
     /** Standard deviations that the metric must gain by two velocities. */
     private static final double SHOWN_SIGMAS = 7;
-    /** The same that it must lose by them for the structure to be clearly one. */
+    /** Standard deviations that the metric must lose by two velocities for the structure to be clearly one body. */
     private static final double ONE_SIGMAS = 4;
-    /** By what they shift the ends of the window apart, in px, at least, and at most: farther off are false tops. */
+    /**
+     * Least and greatest distance, in px, by which the two velocities shift the ends of the window apart: farther off
+     * are false tops of the metric.
+     */
     private static final double LEAST_APART_PX = 0.5;
     private static final double MOST_APART_PX = 6;
-    /** Lines through the middle that the events are divided by at first, one after the other. */
+    /** Lines through the middle by which the events are divided at first, one after the other. */
     private static final int LINES = 2;
-    /** How often velocities are measured, and tiles given to the one that suits them better. */
+    /** How often the velocities are measured, and each tile is given to the one that suits it better. */
     private static final int ROUNDS = 3;
 
-    /** One of the two, with its velocity besides that of the structure's middle. */
+    /** One of the two bodies, with its velocity relative to that of the structure's middle. */
     private static final class Body {
         private double vx;
         private double vy;
@@ -51,14 +55,14 @@ final class TwoBodies {
     // of each tile: how often its events meet along the motion, and whether the second body has it
     private final long[] met;
     private final boolean[] isSecond;
-    /** On which side of a line the events of each tile are. */
+    /** Number of events of each tile on one side of a line, less those on the other side. */
     private final int[] side;
     private final Body first;
     private final Body second;
     private int ofSecond;
-    /** Whether any tile was given to the other body by the last measurement. */
+    /** Whether the last measurement gave any tile to the other body. */
     private boolean changed;
-    /** Motion of the structure in the middle of the window, and the same without rotation and growth. */
+    /** Motion of the structure in the middle of the window, and the same motion without rotation and growth. */
     private final Motion along = new Motion();
     private final Motion steady = new Motion();
     private final OwnVelocity own = new OwnVelocity();
@@ -79,22 +83,22 @@ final class TwoBodies {
         second = new Body(tiles);
     }
 
-    /** Bytes of its arrays, but for those of the events. */
+    /** Bytes of its arrays, except those of the events. */
     static long bytes(SensorSize sensor) {
         return LiveEvents.CAPACITY + (3L * Long.BYTES + Integer.BYTES + 1) * TiledEvents.tiles(sensor);
     }
 
-    /** Whether a live event, by its index, is one of the body with fewer events. */
+    /** Whether a live event, by its index, belongs to the body with fewer events. */
     boolean isOfSmaller(int i) {
         return isOfSmaller[i];
     }
 
-    /** Whether what was looked at last turned or grew enough for two velocities to look like that. */
+    /** Whether the structure examined last turned or grew enough for two velocities to look like it. */
     boolean turns() {
         return turns;
     }
 
-    /** Whether what was looked at last turned or grew, and two velocities were clearly worse. */
+    /** Whether the structure examined last turned or grew, and two velocities were clearly worse. */
     boolean isClearlyOne() {
         return isClearlyOne;
     }
@@ -115,7 +119,7 @@ final class TwoBodies {
      * @param live the events of the structure, or those on some tiles, not all of one time
      * @param motion of the structure
      * @param reach radius of the structure in px
-     * @return whether there are two; not of more events than can be measured at once
+     * @return whether there are two; false for more events than can be measured at once
      */
     boolean find(LiveEvents live, Motion motion, double reach, MetricFit fit) {
         turns = false;
@@ -191,7 +195,7 @@ final class TwoBodies {
         begin(second);
     }
 
-    /** Begins with the velocity that rotation and growth give the middle of a body. */
+    /** Begins with the velocity that rotation and growth give to the middle of a body. */
     private void begin(Body body) {
         double sumX = 0;
         double sumY = 0;
@@ -212,13 +216,13 @@ final class TwoBodies {
     }
 
     /**
-     * Measures the two velocities, and which suits each tile better.
+     * Measures the two velocities, and which of them suits each tile better.
      *
-     * @param promising what the metric gains by the first whole measurement where it is worth while to go on
-     * @return what it gains by the last one
+     * @param promising gain of the metric by the first whole measurement above which it is worth while to continue
+     * @return gain of the metric by the last measurement
      */
     private double part(MetricFit fit, double promising) {
-        // a first step tells of most of what turns that two velocities are worse, for little
+        // for most structures that turn, a first step shows at little cost that two velocities are worse
         double gained = measure(fit, false);
         changed = true;
         for (int round = 0; round < ROUNDS && changed && gained > (round == 0 ? 0 : promising); round++) {
@@ -263,7 +267,10 @@ final class TwoBodies {
         tiled.meet(body.vx, body.vy, body.met);
     }
 
-    /** Whether both have events enough, and velocities that differ, but not so far that one may be a false top. */
+    /**
+     * Whether both bodies have enough events, and velocities that differ, but not by so much that one may be a false
+     * top.
+     */
     private boolean areTwo() {
         double apart = Math.hypot(second.vx - first.vx, second.vy - first.vy) * half;
         return Math.min(ofSecond, tiled.size() - ofSecond) >= LEAST_EVENTS && apart >= LEAST_APART_PX

@@ -4,8 +4,8 @@ import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.motion.Motion;
 
 /**
- * Whether a structure is one body: asked each few px of its travel ({@link PartingSchedule}). What clearly is one is
- * believed to turn and grow as all of it shows.
+ * Whether a structure is one body. The question is asked each few px of its travel ({@link PartingSchedule}). A
+ * structure that clearly is one body is believed to turn and grow as all of it shows.
  */
 final class Wholeness {
     private final PartingSchedule schedule = new PartingSchedule();
@@ -22,7 +22,7 @@ final class Wholeness {
         schedule.askSoonForTwo();
     }
 
-    /** Whether a structure of some speed has travelled so far since it was asked last that it is asked now. */
+    /** Whether a structure of some speed has travelled so far since the last question that it is asked now. */
     boolean beginsToAsk(double speed, long nowUs) {
         boolean isDue = schedule.isDue(speed, nowUs);
         if (isDue) {
@@ -32,8 +32,8 @@ final class Wholeness {
     }
 
     /**
-     * Looks whether a part of the structure is a body of its own, and notes if it is clearly one body. Of a dense
-     * structure only some tiles are known, by which nothing lies apart, and nothing is given up.
+     * Looks for a part of the structure that is a body of its own, and notes if the structure is clearly one body. Only
+     * some tiles of a dense structure are known, so that nothing can be seen to lie apart, and nothing is given up.
      *
      * @return whether there is a part, which is to be given up to another plane
      */
@@ -51,8 +51,9 @@ final class Wholeness {
     }
 
     /**
-     * Whether it is two bodies that seem to turn or grow together; notes if it is clearly one. What is not believed to
-     * turn is asked with rotation and growth as all of it shows them: it may be one, but is not given up for two.
+     * Whether the structure is two bodies that seem to turn or grow together; notes if it is clearly one. A structure
+     * that is not believed to turn is asked with the rotation and growth that all of it shows. It may prove to be one
+     * body, but is not given up for two.
      */
     private boolean areTwo(Parting parting, LiveEvents live, Motion motion, double radius, Measurement measurement,
                            MetricFit fit) {

@@ -1,5 +1,5 @@
 /**
- * Structures that are tracked. Open {@link io.github.sofas.flow.track.TrackPlaneStack} first, then
+ * Tracking of the structures that were found. Start with {@link io.github.sofas.flow.track.TrackPlaneStack}, then read
  * {@link io.github.sofas.flow.track.TrackPlane}.
  *
  * <p>A room of {@code flow}: what is public here is public for the other rooms, and may change with any version.
