@@ -31,7 +31,11 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Gives flow and segment to every event of many recordings, each by itself, on whatever machines a cluster has. */
+/**
+ * Labels every event of many recordings with flow and segment, one task per recording, on the machines of a cluster.
+ * This class checks the arguments, lists the recordings and hands them to the {@link Cluster}, largest first. It then
+ * writes one table of all recordings and prints totals. {@link BatchLabelling} does the work of a task.
+ */
 @Command(name = "batch", sortOptions = false,
     customSynopsis = "sofas batch [OPTION]... --out DIR INPUT...",
     description = {"Label many recordings on Apache Spark, here or on a cluster.",
@@ -43,7 +47,7 @@ import picocli.CommandLine.Spec;
 final class BatchCommand implements Callable<Integer> {
     static final String TABLE = "batch.parquet";
     private static final String STAGING = ".batch-";
-    /** What is not passed on: the tasks have other folders, replace what they find outdated, and print nothing. */
+    /** Options that tasks do not get: tasks have other folders, replace outdated results, and print nothing. */
     private static final Set<String> NOT_OF_TASKS = Set.of("--out", "--config", "--force", "--resume", "--quiet",
         "--verbose");
     private static final Comparator<BatchTask> LONGEST_FIRST =
@@ -175,7 +179,7 @@ final class BatchCommand implements Callable<Integer> {
         }
     }
 
-    /** What every task runs with, checked here, where nothing has been run. */
+    /** Checks the options before anything has run, and returns those that every task gets. */
     private List<String> optionsOfTasks() {
         if (arguments.isEmpty() && list == null) {
             throw usage("a recording, a directory, a pattern or --list must be given");
@@ -210,7 +214,9 @@ final class BatchCommand implements Callable<Integer> {
         return List.copyOf(options);
     }
 
-    /** A data set of all events is the Parquet file of each recording, in another place. */
+    /**
+     * Formats of the tables. The data set of all events consists of the recordings' Parquet files, stored elsewhere.
+     */
     private List<TableFormat> formats() {
         List<TableFormat> formats = new ArrayList<>(results.formats());
         if (events != null && !formats.contains(TableFormat.PARQUET)) {
@@ -278,7 +284,7 @@ final class BatchCommand implements Callable<Integer> {
         }
     }
 
-    /** The last lines; the exit code follows from them. */
+    /** Prints the last lines, and returns the exit code that follows from them. */
     private int sayTotals(List<BatchRow> rows, double seconds) {
         PrintWriter err = spec.commandLine().getErr();
         Map<String, Integer> outcomes = new TreeMap<>();

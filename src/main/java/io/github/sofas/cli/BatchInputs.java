@@ -12,9 +12,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The recordings that the arguments of a batch mean: as those of {@code run} do, on this machine or elsewhere. */
+/**
+ * Finds the recordings that the arguments of a batch name, by the rules of {@code run}. The files are on this machine
+ * or on storage of the cluster.
+ */
 final class BatchInputs {
-    /** By which a text is known to be a recording. */
+    /** Number of bytes at the beginning of a text file that show whether it is a recording. */
     private static final long HEAD_BYTES = 1 << 16;
 
     private final Cluster cluster;
@@ -25,7 +28,7 @@ final class BatchInputs {
         this.places = places;
     }
 
-    /** The arguments that a file has, one a line; empty lines are none. */
+    /** Reads the arguments in a file: one per line; empty lines are skipped. */
     List<String> lines(String file) throws IOException {
         String place = cluster.qualified(file);
         if (places.at(place).bytes(place) < 0) {
@@ -41,10 +44,10 @@ final class BatchInputs {
     }
 
     /**
-     * Expands arguments in their order; no file comes twice.
+     * Expands arguments in their order; each file is listed once.
      *
-     * @return by their places as paths
-     * @throws IllegalArgumentException where one means nothing, with a message for the user
+     * @return the files by their places, written as paths
+     * @throws IllegalArgumentException if an argument matches no recording; the message is for the user
      */
     Map<String, StoredFile> expand(List<String> arguments) throws IOException {
         Map<String, StoredFile> found = new LinkedHashMap<>();

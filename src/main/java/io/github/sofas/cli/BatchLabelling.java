@@ -20,8 +20,9 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * One recording of a batch: the run of the command {@code run}, in a folder of its own, from where the results get into
- * their places when all are whole; the summary goes first where there is an old one, and comes last.
+ * Labels one recording of a batch. The command {@code run} works in a folder of its own, and the results move to their
+ * places when all are complete. An old summary is deleted before that and the new one comes last, so that a summary
+ * shows that the other results are complete.
  */
 final class BatchLabelling {
     private final BatchOrder order;
@@ -30,9 +31,9 @@ final class BatchLabelling {
     private final BatchRow row;
 
     /**
-     * Makes one.
+     * Creates the labelling of one recording.
      *
-     * @param remote the files that are not on this machine
+     * @param remote storage of the files that are not on this machine
      */
     BatchLabelling(BatchOrder order, BatchTask task, Storage remote) {
         this.order = order;
@@ -41,7 +42,7 @@ final class BatchLabelling {
         row = new BatchRow(task);
     }
 
-    /** What became of it. */
+    /** Labels the recording and returns its row of the table, in which a failure is noted. */
     BatchRow label() throws InterruptedException {
         Path work = null;
         Path named = Path.of(task.recording().name());
@@ -74,7 +75,10 @@ final class BatchLabelling {
         return known;
     }
 
-    /** Beside the results where they are on this machine, so that they can be renamed into their places. */
+    /**
+     * Creates the folder of the run: beside the results if they are on this machine, so that renaming moves them to
+     * their places.
+     */
     private Path workFolder() throws IOException {
         if (BatchPlaces.isRemote(order.staging())) {
             return Files.createTempDirectory("sofas-batch");
@@ -82,7 +86,7 @@ final class BatchLabelling {
         return Files.createTempDirectory(Files.createDirectories(Path.of(order.staging())), "task");
     }
 
-    /** What is left is deleted with the folder of the batch. */
+    /** Deletes the folder. In the staging folder of a batch, files that remain are deleted with that. */
     private static void delete(Path work) {
         try {
             new LocalStorage().delete(work.toString());
@@ -118,7 +122,7 @@ final class BatchLabelling {
     private void fetch(String place, Path recording) throws IOException, EventSourceException {
         try {
             places.at(place).fetch(place, recording, Long.MAX_VALUE);
-            // by which the results are known again
+            // a resumed batch recognises the results by this time
             Files.setLastModifiedTime(recording, FileTime.fromMillis(task.recording().changedMs()));
         } catch (IOException e) {
             throw new EventSourceException("[" + recording.getFileName() + "] cannot be fetched: "
@@ -126,7 +130,7 @@ final class BatchLabelling {
         }
     }
 
-    /** Where each file of the run goes, in the order of the files. */
+    /** Final place of each file of the run, in the order of the files. */
     private Map<Path, String> targets(RecordingRun run) {
         Map<Path, String> targets = new LinkedHashMap<>();
         for (Path file : run.files()) {
@@ -139,7 +143,7 @@ final class BatchLabelling {
         return targets;
     }
 
-    /** Enters what an earlier batch, or run, found, if that was the same. */
+    /** Whether an earlier batch or run has made the same results. If so, enters its figures in the row. */
     private boolean isDone(RecordingRun run, Map<Path, String> targets, String summary, Path work)
             throws IOException {
         if (places.at(summary).bytes(summary) < 0) {

@@ -15,52 +15,52 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 
 /**
- * Reads, labels and writes the batches of a recording: all in the caller's thread, or with a helper that writes, and
- * does what labelling has for one, or with another one that reads. Where labels look ahead, that is a part of writing.
- * Each step gets all batches in order and one at a time, so that its results are the same however many threads there
- * are.
+ * Reads, labels and writes the batches of a recording in one to three threads. With one thread, the caller does all of
+ * it. With two, a helper writes and does the work that labelling can delegate. With three, another helper reads.
+ * Look-ahead is a part of writing. Each step gets all batches in order and one at a time, so that its results do not
+ * depend on the number of threads.
  */
 final class BatchPipeline {
-    /** Labelling, helping, reading. */
+    /** One thread labels, one helps and writes, one reads. */
     static final int MOST_THREADS = 3;
-    /** Events labelled at once: few enough to stay in a core's cache from reader to writer. */
+    /** Events per batch: few enough to stay in a core's cache from reader to writer. */
     private static final int BATCH = 4096;
-    /** Batches on their way: enough that a step that is slow for once holds up nobody. */
+    /** Batches in the pipeline: enough that an occasional slow step does not hold up the others. */
     private static final int SLOTS = 8;
 
     /** A batch on its way from reader to writer. */
     static final class Slot {
         final EventBatch events = new EventBatch(BATCH);
         final FlowOutput flow = new FlowOutput(BATCH);
-        /** Where labels look ahead, what they are made from: the writer makes them, of other events than were read. */
+        /** With look-ahead, causal labels. The writer makes the final ones, for other events than were read. */
         final CausalBatch causal = new CausalBatch();
-        /** How much of the file was read when it was filled. */
+        /** Bytes of the file that were read when the slot was filled. */
         long bytesRead;
     }
 
-    /** What is done with a batch. */
+    /** The steps that each batch goes through. */
     interface Steps {
-        /** Fills a batch; false at the end, or at damage. */
+        /** Fills a batch; false at the end of the recording or at damage. */
         boolean read(Slot slot);
 
-        /** Says who does what labelling has for a helper; not called where there is none. */
+        /** Sets the helper for work that labelling can delegate; not called if there is no helper. */
         void helpedBy(Consumer<Runnable> helper);
 
-        /** Labels it, in the caller's thread. */
+        /** Labels a batch, in the caller's thread. */
         void label(Slot slot);
 
         /**
-         * Writes it.
+         * Writes a batch.
          *
-         * @throws IOException where it cannot be written; no further batch is read then
+         * @throws IOException if it cannot be written; no further batch is read then
          */
         void write(Slot slot) throws IOException;
 
         /**
-         * Writes what is held back when all batches are written.
+         * Writes the events that were held back, after all batches are written.
          *
-         * @param slot any
-         * @throws IOException where it cannot be written
+         * @param slot any slot; its content does not matter
+         * @throws IOException if they cannot be written
          */
         void finish(Slot slot) throws IOException;
     }
@@ -68,13 +68,13 @@ final class BatchPipeline {
     private static final Slot END = new Slot();
 
     private final Steps steps;
-    // a place more than there are batches, for the end
+    // one place more than there are batches, for the end
     private final BlockingQueue<Slot> free = new ArrayBlockingQueue<>(SLOTS + 1);
     private final BlockingQueue<Slot> filled = new ArrayBlockingQueue<>(SLOTS + 1);
     private final Queue<Slot> labelled = new ConcurrentLinkedQueue<>();
-    /** Whether a helper writes, or is asked to. */
+    /** Whether a helper is writing, or has been asked to. */
     private final AtomicBoolean writing = new AtomicBoolean();
-    /** The first fault of reader or writer; all stop then. */
+    /** A fault of reader or writer, at which all threads stop; of two at the same time, either. */
     private volatile Throwable failure;
 
     private BatchPipeline(Steps steps) {
@@ -82,10 +82,10 @@ final class BatchPipeline {
     }
 
     /**
-     * Takes all batches through the steps.
+     * Runs all batches through the steps.
      *
-     * @param threads 1 to {@value #MOST_THREADS}, the caller's included
-     * @throws IOException of the writer
+     * @param threads 1 to {@value #MOST_THREADS}, including the caller's
+     * @throws IOException if the writer fails
      */
     static void run(Steps steps, int threads) throws IOException, InterruptedException {
         if (threads == 1) {
@@ -123,7 +123,7 @@ final class BatchPipeline {
                 steps.finish(new Slot());
             }
         } finally {
-            // where labelling failed the others still wait; they are not to touch what the caller closes next
+            // if labelling failed, the helpers still wait; they must not touch what the caller closes next
             helpers.shutdownNow();
             awaitEnd(helpers);
         }
@@ -163,7 +163,7 @@ final class BatchPipeline {
         return null;
     }
 
-    /** Writes what is labelled; after a failure only hands batches back, so that nobody waits for one. */
+    /** Writes the labelled batches. After a failure, only hands them back, so that no thread waits for a free one. */
     private void writeWaiting() {
         do {
             for (Slot slot = labelled.poll(); slot != null; slot = labelled.poll()) {
@@ -177,7 +177,7 @@ final class BatchPipeline {
                 free.add(slot);
             }
             writing.set(false);
-            // unless another one was labelled just before that, and nobody else was asked
+            // a batch may have been labelled just before that, without another helper being asked
         } while (!labelled.isEmpty() && writing.compareAndSet(false, true));
     }
 }

@@ -4,15 +4,15 @@ import io.github.sofas.batch.Storage;
 import java.util.regex.Pattern;
 
 /**
- * The files of a batch, wherever they are.
+ * Finds the storage of a batch's files by their places: paths of this machine, or URIs.
  *
- * @param remote those that are not on this machine
+ * @param remote storage of the files that are not on this machine
  */
 record BatchPlaces(Storage remote) {
-    /** More than one letter, which would be a drive. */
+    /** A scheme of more than one letter; a single letter would be a drive. */
     private static final Pattern URI = Pattern.compile("[A-Za-z][A-Za-z0-9+.-]+:/.*", Pattern.DOTALL);
     private static final Storage LOCAL = new LocalStorage();
-    /** What Hive and Spark do not take in the name of a partition's folder as it is. */
+    /** Characters that Hive and Spark do not accept unescaped in the name of a partition's folder. */
     private static final String ESCAPED = "\"#%'*/:=?\\{}[]^\u007f";
 
     /** Whether a place is not on this machine. */
@@ -20,12 +20,12 @@ record BatchPlaces(Storage remote) {
         return URI.matcher(place).matches();
     }
 
-    /** Where a place's files are. */
+    /** The storage of the file at a place. */
     Storage at(String place) {
         return isRemote(place) ? remote : LOCAL;
     }
 
-    /** A file in a folder. */
+    /** The place of a file in a folder. */
     static String in(String folder, String name) {
         return folder.endsWith("/") ? folder + name : folder + "/" + name;
     }

@@ -11,7 +11,10 @@ import java.nio.charset.Charset;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The program as a cluster calls it. Public because Java's service loader asks for it. */
+/**
+ * The program as a cluster calls it: on the machine where a batch is submitted, and on those where recordings are
+ * labelled. Public because Java's service loader requires that.
+ */
 public final class Batches implements BatchProgram {
     @Override
     public int submit(List<String> arguments, Cluster cluster) {

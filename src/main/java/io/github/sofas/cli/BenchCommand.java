@@ -29,7 +29,9 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Measures how fast recordings are decoded, labelled and written. */
+/**
+ * Measures how fast recordings are decoded, labelled and written. Without a recording, simulated scenes are measured.
+ */
 @Command(name = "bench", sortOptions = false,
     customSynopsis = "sofas bench [OPTION]... [RECORDING]...",
     description = {"Measure the speed of decoding, labelling and writing in one thread, and of labelling",
@@ -79,7 +81,7 @@ final class BenchCommand implements Callable<Integer> {
     @Mixin
     private ParameterOptions parameterOptions;
 
-    /** A recording that may have to be made first, in the given folder. */
+    /** Provides a recording, which may have to be simulated first, in the given folder. */
     @FunctionalInterface
     private interface Making {
         RecordingUnderTest in(Path folder) throws IOException;
@@ -133,7 +135,7 @@ final class BenchCommand implements Callable<Integer> {
         return measured.size() == all.size() ? Main.OK : Main.FAILED;
     }
 
-    /** The record's message begins with the component; the user wrote an option. */
+    /** Replaces the record's component, with which the message begins, by the option that the user wrote. */
     private static String inUsersWords(String message) {
         return message.replaceFirst("^runs ", "--runs ").replaceFirst("^warmUps ", "--warm-up ")
             .replaceFirst("^warmUpMs ", "--warm-up-ms ")

@@ -40,7 +40,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Runs jAER's own motion-flow filters and ours inside jAER, and says how right they are or how far they agree. */
+/**
+ * Runs jAER's own motion-flow filters and ours inside jAER, and {@code sofas run} outside. Prints the accuracy of each
+ * or, without a truth, the agreement of each pair.
+ */
 @Command(name = "compare", sortOptions = false, customSynopsis = "sofas compare [OPTION]... --jaer DIR RECORDING",
     description = {"Compare SOFAS with jAER's LucasKanadeFlow and LocalPlanesFlow, inside jAER.",
         "The three filters get the same packets, each in its own jAER with default settings, except that measuring of "
@@ -84,7 +87,7 @@ final class CompareCommand implements Callable<Integer> {
     @Mixin
     private LookAheadOptions lookAhead;
 
-    /** What a method made of the recording. */
+    /** A method's labels of the recording, the time it took for them, and the damage that ended the recording. */
     private record Labelled(String name, FlowEstimate estimate, double seconds, EventSourceException damage) {
     }
 
@@ -136,7 +139,7 @@ final class CompareCommand implements Callable<Integer> {
         return Main.FAILED;
     }
 
-    /** What labels the events outside of jAER: as 'run' does, with look-ahead unless other is asked for. */
+    /** The method that labels events outside jAER: as 'run' does, with look-ahead unless the options say otherwise. */
     private MethodChoice ownMethod() {
         SofasParameters parameters = SofasParameters.defaults();
         return lookAhead.ofRecording(new MethodChoice(MethodOptions.Method.SOFAS.toString(), "default", Map.of(),
@@ -240,7 +243,7 @@ final class CompareCommand implements Callable<Integer> {
                 }
                 truthReader.end();
             } catch (EventSourceException e) {
-                // of the events before the damage; it is told at the end
+                // the truth covers the events before the damage, which is reported at the end
             }
             return truthReader.truth();
         }

@@ -14,16 +14,16 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Properties;
 
-/** A Java properties file in UTF-8 whose keys are named in messages with their line. */
+/** A Java properties file in UTF-8. Messages about a key name its line, and no key may stand twice. */
 final class ConfigFile {
-    /** More than any has; a recording named by mistake is reported as such. */
+    /** More than any config file has, so that a recording named by mistake is refused. */
     private static final int MOST_BYTES = 1 << 20;
 
     private final Path file;
     private final Properties properties = new Properties() {
         private static final long serialVersionUID = 1L;
 
-        /** Of two values the last would count, without a word. */
+        /** Refuses a second value: otherwise the last one would count, silently. */
         @Override
         public synchronized Object put(Object key, Object value) {
             Object before = super.put(key, value);
@@ -43,7 +43,7 @@ final class ConfigFile {
     /**
      * Reads a file.
      *
-     * @throws IllegalArgumentException where it cannot be read, with a message for the user
+     * @throws IllegalArgumentException if it cannot be read; the message is for the user
      */
     static ConfigFile read(Path file) {
         String name = "[" + file.getFileName() + "] ";
@@ -65,7 +65,7 @@ final class ConfigFile {
         }
     }
 
-    /** A key stands twice. */
+    /** Reports a key that stands twice. */
     private static final class DoubleKeyException extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
@@ -81,7 +81,7 @@ final class ConfigFile {
             String key = e.getMessage();
             throw new IllegalArgumentException(place(key) + "\"" + key + "\" must stand once but stands twice", e);
         } catch (IllegalArgumentException e) {
-            // Properties complains of \\u escapes so.
+            // Properties reports malformed \\u escapes in this way.
             throw new IllegalArgumentException(name + "cannot be read: " + e.getMessage(), e);
         }
     }
@@ -93,18 +93,18 @@ final class ConfigFile {
         return keys;
     }
 
-    /** The value of a key that is there. */
+    /** The value of a key that exists. */
     String value(String key) {
         return properties.getProperty(key).strip();
     }
 
-    /** Where a key stands, as messages begin. */
+    /** File and line of a key, for the beginning of a message. */
     String place(String key) {
         int line = lineOf(key);
         return "[" + file.getFileName() + "] " + (line == 0 ? "" : "line " + line + ": ");
     }
 
-    /** The last line with the key, because that is the one that counts; 0 where it is written with escapes. */
+    /** The last line with the key; 0 if the key is written with escapes. */
     private int lineOf(String key) {
         for (int i = lines.size(); i > 0; i--) {
             String line = lines.get(i - 1).stripLeading();

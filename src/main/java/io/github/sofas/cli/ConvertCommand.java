@@ -28,7 +28,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Writes the events of recordings in another format. */
+/** Writes the events of recordings in another format: as AEDAT 2.0, or as a table in CSV, NPZ or Parquet. */
 @Command(name = "convert", sortOptions = false,
     customSynopsis = "sofas convert [OPTION]... --to FORMAT RECORDING...",
     description = {"Write the change events of recordings in another format.",
@@ -144,7 +144,7 @@ final class ConvertCommand implements Callable<Integer> {
         }
     }
 
-    /** Copies all events, and returns the damage that ended them; null where none did. */
+    /** Copies all events, and returns the damage that ended the recording; null if there was none. */
     private static EventSourceException copy(RecordingReader reader, Sink sink) throws IOException {
         EventBatch batch = new EventBatch(BATCH);
         try {
@@ -157,7 +157,9 @@ final class ConvertCommand implements Callable<Integer> {
         }
     }
 
-    /** The recording's own chip, else the smallest that its sensor fits on, which AEDAT 2.0 needs for its addresses. */
+    /**
+     * The recording's own chip, else the smallest one that holds its sensor. AEDAT 2.0 needs a chip for its addresses.
+     */
     private Chip chip(Path recording, RecordingReader reader) throws EventSourceException {
         Optional<Chip> own = reader.chip().flatMap(Chip::named);
         if (own.isPresent() && own.get().sensor().equals(reader.sensor())) {

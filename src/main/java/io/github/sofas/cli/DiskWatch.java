@@ -3,7 +3,7 @@ package io.github.sofas.cli;
 import java.util.Locale;
 import java.util.function.LongSupplier;
 
-/** Warns before a disk is full: a capture cannot be repeated. */
+/** Warns, at most every 10 s, when a disk will be full within a minute: a capture cannot be repeated. */
 final class DiskWatch {
     private static final double WARNED_S = 60;
     private static final long PAUSE_NS = 10_000_000_000L;
@@ -18,12 +18,12 @@ final class DiskWatch {
     private boolean warned;
 
     /**
-     * Makes one.
+     * Starts watching a disk.
      *
-     * @param place on the disk, for the message
-     * @param freeBytes tells how much room is left
-     * @param writtenBytes tells how much was written
-     * @param clockNs tells the time
+     * @param place a path on the disk, for the message
+     * @param freeBytes supplies the number of bytes left on the disk
+     * @param writtenBytes supplies the number of bytes written so far
+     * @param clockNs supplies the time in ns
      */
     DiskWatch(String place, LongSupplier freeBytes, LongSupplier writtenBytes, LongSupplier clockNs) {
         this.place = place;
@@ -33,7 +33,7 @@ final class DiskWatch {
         lastNs = clockNs.getAsLong();
     }
 
-    /** What there is to say now, asked about once a second; null for nothing. */
+    /** The warning that is due now, null if there is none; called about once per second. */
     String warning() {
         long now = clockNs.getAsLong();
         long written = writtenBytes.getAsLong();

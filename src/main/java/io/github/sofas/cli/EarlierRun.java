@@ -12,20 +12,20 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What the summary of an earlier run says of it. The summary gets its name last of all results, so that none of them is
- * missing where it is there.
+ * What the summary of an earlier run says about it. The summary gets its name last of all results, so that its presence
+ * shows that none of them is missing.
  *
- * @param request what was asked for, as {@link RecordingRun#request()} tells it; null where the summary does not say
+ * @param request what was asked for, as {@link RecordingRun#request()} gives it; null if the summary does not have it
  * @param complete whether the recording was read to its end
- * @param doubtfulShare share of its events that were corrected, dropped or malformed
+ * @param doubtfulShare share of the recording's events that were corrected, dropped or malformed
  * @param fileBytes sizes of the other results when they were written, by name
- * @param values every text, number and truth value of the summary, by its JSON pointer
+ * @param values every text, number and Boolean of the summary, by its JSON pointer
  */
 record EarlierRun(String request, boolean complete, double doubtfulShare, Map<String, Long> fileBytes,
                   Map<String, String> values) {
     private static final JsonFactory FACTORY = new JsonFactory();
 
-    /** Reads a summary; null where there is none, or the file is something else. */
+    /** Reads a summary; null if there is none, or the file is no JSON. */
     static EarlierRun of(Path summary) {
         if (!Files.isRegularFile(summary)) {
             return null;
@@ -58,10 +58,10 @@ record EarlierRun(String request, boolean complete, double doubtfulShare, Map<St
     }
 
     /**
-     * Why its results are not those of a run; null where they are, and whole.
+     * Why the earlier results are not those of the requested run; null if they are, and are complete.
      *
-     * @param wanted what that run asks for
-     * @param bytes the sizes that its results have now, by name; 0 for one that is not there
+     * @param wanted the request of that run
+     * @param bytes present sizes of the results, by name; 0 for one that is missing
      */
     String whyNot(String wanted, Map<String, Long> bytes) {
         String[] now = wanted.split(" ");

@@ -29,7 +29,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Holds a method's flow and segments against the truth of every event, or measures how sharp the flow is. */
+/**
+ * Compares a method's flow and segments, or those in a file, with the truth of each event. Without a truth, measures
+ * how much sharper the flow makes the picture.
+ */
 @Command(name = "evaluate", sortOptions = false,
     customSynopsis = "sofas evaluate [OPTION]... [--truth FILE] RECORDING",
     description = {"Compare flow and segments of a recording with the truth of each event.",
@@ -199,7 +202,7 @@ final class EvaluateCommand implements Callable<Integer> {
         return new ParameterException(spec.commandLine(), message);
     }
 
-    /** Writes figures in one form. */
+    /** Writes the figures in one format. */
     private interface Form {
         void writeTo(OutputStream out) throws IOException;
     }

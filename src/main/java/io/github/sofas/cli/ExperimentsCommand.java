@@ -24,7 +24,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Runs the paper's experiments and writes them as a page and as CSV, or prints tables of one method. */
+/**
+ * Runs the paper's experiments and writes them as a page and as CSV. Without an output folder, prints tables instead:
+ * of one method, or of the effect of each of its extensions.
+ */
 @Command(name = "experiments", sortOptions = false, customSynopsis = {"sofas experiments --out DIR [OPTION]...",
         "       sofas experiments [--random N] [--scenes] [--recordings DIR] [OPTION]...",
         "       sofas experiments --ablation [--random N] [--recordings DIR] [OPTION]..."},
@@ -117,7 +120,7 @@ final class ExperimentsCommand implements Callable<Integer> {
         if (!force) {
             outputs.refuseExisting(files);
         }
-        // before a minute of work, not after it
+        // a folder that cannot be made is reported before a minute of work, not after it
         outputs.makeFolder(out);
         PrintWriter err = spec.commandLine().getErr();
         try {

@@ -1,6 +1,6 @@
 package io.github.sofas.cli;
 
-/** What was asked makes sense but cannot be done here; the message is for the user. */
+/** A valid command cannot be carried out here, in contrast to wrong usage; the message is for the user. */
 final class FailureException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

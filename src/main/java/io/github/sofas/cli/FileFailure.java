@@ -6,14 +6,17 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 
-/** Why a file or a directory cannot be written, in the user's words: Java names only the path in the usual cases. */
+/**
+ * Explains to the user why a file or a directory cannot be written. In the usual cases, Java's message is only the
+ * path.
+ */
 final class FileFailure {
     private FileFailure() {
     }
 
     static String text(IOException exception) {
         IOException e = exception;
-        // libraries wrap what the system says
+        // libraries wrap the system's exception
         while (e.getCause() instanceof IOException) {
             e = (IOException) e.getCause();
         }

@@ -29,7 +29,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Says what is in recordings. */
+/** Reads recordings to their end and shows their format, sensor, counts, times and faults. */
 @Command(name = "info", sortOptions = false,
     description = "Show the contents of recordings: format, sensor, events by type, times, faults.",
     exitCodeListHeading = "%nExit codes:%n",
@@ -51,7 +51,7 @@ final class InfoCommand implements Callable<Integer> {
     @Mixin
     private ReadingOptions reading;
 
-    /** What is done with each recording. */
+    /** Writes the summary of a recording. */
     @FunctionalInterface
     private interface Output {
         void write(RecordingSummary recording) throws IOException;
@@ -127,7 +127,7 @@ final class InfoCommand implements Callable<Integer> {
             EventSourceException damage = null;
             try {
                 while (reader.next(batch)) {
-                    // The reader counts.
+                    // The reader counts the events.
                     batch.clear();
                 }
             } catch (EventSourceException e) {

@@ -4,7 +4,7 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.flow.FlowOutput;
 
-/** Events with their labels, in order. */
+/** Supplies events with their labels, in order, wherever the labels come from. */
 @FunctionalInterface
 interface LabelledEvents {
     /**
@@ -13,7 +13,7 @@ interface LabelledEvents {
      * @param batch gets the events
      * @param flow takes entry i for event i of the batch; holds at least as many
      * @return false at the end, with the batch left empty; true with at least one event otherwise
-     * @throws EventSourceException where no further event can be had
+     * @throws EventSourceException if no further event can be read
      */
     boolean next(EventBatch batch, FlowOutput flow) throws EventSourceException;
 }

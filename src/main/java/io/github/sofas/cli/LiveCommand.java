@@ -34,7 +34,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Gives flow and segment to the events of a camera, or of jAER's network stream, as they happen. */
+/**
+ * Labels the events of a camera, or of jAER's network stream, with flow and segment as they happen. This class checks
+ * the arguments, opens the source and warms up the engine. {@link LiveRun} does the rest.
+ */
 @Command(name = "live", sortOptions = false,
     customSynopsis = {"sofas live --out DIR [OPTION]...",
         "       sofas live --out DIR --udp PORT --chip CHIP [OPTION]...",
@@ -140,7 +143,7 @@ final class LiveCommand implements Callable<Integer> {
         }
     }
 
-    /** Everything that can be wrong before the source is opened. */
+    /** Checks everything that can be wrong before the source is opened, and returns the method. */
     private MethodChoice check() {
         if (out == null) {
             throw usage("Missing required option: '--out=DIR'");
@@ -175,7 +178,7 @@ final class LiveCommand implements Callable<Integer> {
         return method;
     }
 
-    /** A run that was killed could not give its files their names; they hold all but its last second. */
+    /** Reports the files of killed runs, which still have temporary names. They hold all but the last second. */
     private void offerWhatIsLeft(List<Path> files) {
         files.stream().filter(Objects::nonNull).map(file -> file.toAbsolutePath().getParent()).distinct()
             .flatMap(folder -> ResultFiles.leftBehind(folder).stream())
@@ -206,7 +209,7 @@ final class LiveCommand implements Callable<Integer> {
         try {
             port = Integer.parseInt(udp.substring(colon + 1));
         } catch (NumberFormatException e) {
-            // Stays outside the range.
+            // The port stays outside the range.
             port = -1;
         }
         if (port < 1 || port > MAX_PORT) {
@@ -247,9 +250,9 @@ final class LiveCommand implements Callable<Integer> {
     }
 
     /**
-     * Biases with the changes that a file asks for.
+     * Returns biases with the changes that a file asks for.
      *
-     * @throws IllegalArgumentException where it names one that is not there or a value out of range
+     * @throws IllegalArgumentException if the file names an unknown bias or a value out of range
      */
     static Biases changed(Biases defaults, ConfigFile changes) {
         Biases changed = defaults;

@@ -26,12 +26,12 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /**
- * A live stream from its first event to its result files: take a packet, label it, write its rows, again, until the
- * source is stopped or fails.
+ * Runs a live stream from its first event to its result files. In a loop, it takes a packet, labels it and hands it to
+ * a {@link LiveWriter}, until the source is stopped or fails.
  */
 final class LiveRun {
     private static final int READ_BATCH = 2048;
-    /** More than segments and summary take. */
+    /** More than the segments and the summary take. */
     private static final int RESERVE_BYTES = 1 << 20;
 
     private final LiveSource source;
@@ -42,7 +42,7 @@ final class LiveRun {
     private final LiveStatus status;
 
     private final List<Segment> segments = new ArrayList<>();
-    /** One of the two. */
+    /** Either this or {@link #ahead} labels the events; the other is null. */
     private final EventLabeller labeller;
     private final Labelling ahead;
     private final WithoutFlow withoutFlow;
@@ -54,20 +54,20 @@ final class LiveRun {
     private long engineNs;
     private long outputNs;
 
-    /** What is done to let the source send. */
+    /** Makes the source start to send. */
     @FunctionalInterface
     interface Start {
         void start() throws EventSourceException;
     }
 
     /**
-     * Makes a run.
+     * Creates a run.
      *
-     * @param source not started
+     * @param source a source that is not started
      * @param names of the results
-     * @param record where the events are recorded; null for nowhere
-     * @param replaces whether files that exist are replaced
-     * @param status is told how it goes
+     * @param record file in which the events are recorded; null for none
+     * @param replaces whether existing files are replaced
+     * @param status receives the progress and warnings
      */
     LiveRun(LiveSource source, MethodChoice method, ResultNames names, Path record, boolean replaces,
             LiveStatus status) {
@@ -83,12 +83,12 @@ final class LiveRun {
     }
 
     /**
-     * Runs until the source ends. One that failed has results too, of every event before. Where the disk is full, or
-     * fails, what is on it stays, closed as well as it can be.
+     * Runs until the source ends. A source that fails has results, too, of every event before the failure. If the disk
+     * is full or fails, the data on it stay, and their files are closed as well as possible.
      *
-     * @throws EventSourceException where the source cannot be started; there are no results then
-     * @throws IOException where the results cannot be begun, or not be given their names; the message then says under
-     *     which names they are
+     * @throws EventSourceException if the source cannot be started; there are no results then
+     * @throws IOException if the results cannot be begun, or cannot get their names; in the second case, the message
+     *     gives the names that they have
      */
     RunOutcome run(Start start) throws EventSourceException, IOException {
         Path flow = names.flow();
@@ -127,7 +127,7 @@ final class LiveRun {
         }
     }
 
-    /** How many bytes were written so far. */
+    /** Number of bytes written so far. */
     long bytesWritten() {
         return written.stream().mapToLong(file -> file.toFile().length()).sum();
     }
@@ -142,8 +142,9 @@ final class LiveRun {
     }
 
     /**
-     * Room that is given back when it is closed, for what is written at the end, be the disk full then. It has no name
-     * while it is held where the system allows that, so that a program that is killed leaves nothing of it.
+     * Reserves room on the disk for the files that are written at the end, even if the disk is full by then. Closing
+     * the channel frees the room. If the system allows it, the file has no name meanwhile, so that a killed program
+     * leaves nothing of it.
      */
     private FileChannel reserve() throws IOException {
         Path file = names.out().resolve("." + names.name() + "." + ProcessHandle.current().pid() + ".reserve");
@@ -179,14 +180,14 @@ final class LiveRun {
         }
     }
 
-    /** Labels to the end, and returns what ended it; null where it was asked to end. */
+    /** Labels to the end of the stream, and returns the failure of the source that ended it; null if there was none. */
     private EventSourceException label(LiveWriter writer) {
         while (true) {
             LiveWriter.Labelled next;
             try {
                 next = writer.empty();
             } catch (IOException e) {
-                // nothing more can be kept
+                // no file can be written any more
                 return null;
             }
             EventBatch batch = next.events;
@@ -206,7 +207,7 @@ final class LiveRun {
         }
     }
 
-    /** The same with look-ahead: what comes in is handed on when its labels know what came after it. */
+    /** The same with look-ahead: events are handed on once their labels know what came after them. */
     private EventSourceException labelAhead(LiveWriter writer) {
         EventBatch read = new EventBatch(READ_BATCH);
         EventSourceException failure = null;
@@ -235,13 +236,13 @@ final class LiveRun {
                 engineNs += System.nanoTime() - beforeEngine;
             }
         } catch (IOException e) {
-            // nothing more can be kept
+            // no file can be written any more
             return failure;
         }
         return failure;
     }
 
-    /** Counts a batch that is labelled. */
+    /** Counts a labelled batch. */
     private void note(LiveWriter.Labelled labelled, long latencyNs, Supplier<List<Segment>> living) {
         EventBatch batch = labelled.events;
         if (events == 0) {

@@ -11,8 +11,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * One of the files that a live run writes as events come in. After the first failure nothing more is written to it, and
- * what is there is cut back to whole rows or records: others go on.
+ * One of the files that a live run writes as events come in. After the first failure, nothing more is written to the
+ * file, and it is cut back to whole rows or records. The other files continue.
  */
 final class LiveSink {
     private static final int LONGEST_ROW = 256;
@@ -32,13 +32,13 @@ final class LiveSink {
         void write(EventBatch batch, FlowOutput flow) throws IOException;
     }
 
-    /** Hands on what is buffered. */
+    /** Writes buffered data to the file. */
     @FunctionalInterface
     private interface Flushing {
         void flush() throws IOException;
     }
 
-    /** How much of a file is whole. */
+    /** Determines how many bytes of a file are whole rows or records. */
     @FunctionalInterface
     private interface Whole {
         long bytes(Path file) throws IOException;
@@ -54,16 +54,16 @@ final class LiveSink {
     }
 
     /**
-     * Rows.
+     * Creates a sink for rows with events and labels.
      *
-     * @param file where they will be
-     * @param temporary where they are meanwhile
+     * @param file final place of the rows
+     * @param temporary their place meanwhile
      */
     static LiveSink rows(Path file, Path temporary, FlowCsvWriter csv) {
         return new LiveSink(file, temporary, csv::write, csv::flush, csv::close, LiveSink::wholeLines);
     }
 
-    /** Records of the events; likewise. */
+    /** Creates a sink for records of the events, likewise. */
     static LiveSink records(Path file, Path temporary, Aedat2Writer aedat) {
         return new LiveSink(file, temporary, (batch, flow) -> aedat.write(batch), aedat::flush, aedat,
             path -> aedat.wholeBytes(Files.size(path)));
@@ -85,7 +85,7 @@ final class LiveSink {
         }
     }
 
-    /** Writes a batch, unless that failed before. */
+    /** Writes a batch, unless writing failed before. */
     void write(EventBatch batch, FlowOutput flow) {
         if (failure != null) {
             return;
@@ -100,7 +100,7 @@ final class LiveSink {
         }
     }
 
-    /** Hands on what is buffered, so that a program that is killed leaves it. */
+    /** Writes buffered data to the file, where they remain if the program is killed. */
     void flush() {
         try {
             if (failure == null) {
@@ -111,7 +111,7 @@ final class LiveSink {
         }
     }
 
-    /** Closes the file, and cuts it back to what is whole where not all could be written. */
+    /** Closes the file. If not all could be written, cuts it back to whole rows or records. */
     void close() {
         try {
             closing.close();
@@ -127,12 +127,12 @@ final class LiveSink {
         }
     }
 
-    /** Why not all was written; null where all was. */
+    /** Why not all was written; null if all was. */
     IOException failure() {
         return failure;
     }
 
-    /** What is wrong with the file, for the user. */
+    /** The failure of the file, in words for the user. */
     String fault() {
         return "[" + file + "] cannot be written on: " + FileFailure.text(failure)
             + "; what it holds is whole, of less than the first " + events + " events";

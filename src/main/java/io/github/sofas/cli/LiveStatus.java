@@ -12,8 +12,8 @@ import java.util.function.Supplier;
 import org.HdrHistogram.Histogram;
 
 /**
- * How a live stream goes: one line per second, and one at the end. Told by the thread that labels, asked by the one
- * that shows.
+ * Status of a live stream: one line per second, and the latency for the line at the end. The labelling thread reports
+ * batches, and another thread shows the lines.
  */
 final class LiveStatus {
     /** Segments that fit on a line. */
@@ -32,15 +32,15 @@ final class LiveStatus {
     private long shownNs;
     private long events;
     private long eventsWithFlow;
-    /** Snapshot for the line that is due, by the thread that labels. */
+    /** Whether the labelling thread is to take a snapshot of the segments for the next line. */
     private boolean due;
     private List<Segment> segments = List.of();
 
     /**
-     * Makes one.
+     * Creates the status of a stream.
      *
-     * @param columns of the terminal that {@code err} is
-     * @param clockNs tells the time
+     * @param columns width of the terminal that {@code err} writes to
+     * @param clockNs supplies the time in ns
      */
     LiveStatus(LiveSource source, PrintWriter err, int columns, LongSupplier clockNs) {
         this.source = source;
@@ -57,10 +57,10 @@ final class LiveStatus {
     }
 
     /**
-     * Notes a batch.
+     * Notes a labelled batch.
      *
-     * @param latencyNs from its arrival to its last label
-     * @param living asked for the segments when a line is due
+     * @param latencyNs time from the arrival of the batch to its last label
+     * @param living supplies the segments; called only when a line is due
      */
     synchronized void labelled(int newEvents, int newEventsWithFlow, long latencyNs,
                                Supplier<List<Segment>> living) {
@@ -83,7 +83,7 @@ final class LiveStatus {
     void show() {
         String line = line();
         if (line != null) {
-            // Not with the lock held: a terminal may be stopped, and labelling goes on.
+            // Not under the lock: labelling goes on even if the terminal is stopped.
             err.println(line);
             err.flush();
         }
@@ -111,7 +111,7 @@ final class LiveStatus {
         return line.toString();
     }
 
-    /** The largest, on a line of their own where they do not fit. */
+    /** Appends the largest segments, on a line of their own if they do not fit. */
     private void appendSegments(StringBuilder line) {
         StringBuilder velocities = new StringBuilder();
         segments.stream().sorted(Comparator.comparingLong(Segment::events).reversed()).limit(SEGMENTS_SHOWN)
@@ -124,7 +124,7 @@ final class LiveStatus {
         }
     }
 
-    /** How long events took from their arrival to their label. */
+    /** The time that events took from their arrival to their label, as text. */
     synchronized String latency() {
         if (latencyUs.getTotalCount() == 0) {
             return "no event came in";

@@ -14,16 +14,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * Writes labelled events on a thread of its own, so that events do not wait for their labels while rows are made and a
- * disk takes its time. What waits is bounded: where writing falls behind for longer, labelling waits for it, and what
- * comes in then is dropped and counted where it comes in.
+ * Writes labelled events on a thread of its own, so that labelling does not wait for the formatting of rows or for a
+ * slow disk. The queue is bounded. If writing falls behind for longer, labelling waits for it. The source then drops
+ * and counts the events that come in.
  */
 final class LiveWriter implements AutoCloseable {
-    /** A fifth of a second at 1 million events/s, in 7 MB. */
+    /** Batches in the queue: a quarter of a second at 1 million events/s, in 7 MB. */
     private static final int BATCHES = 128;
-    /** More than a transfer brings at 1 million events/s. */
+    /** Events per batch: more than a transfer brings at 1 million events/s. */
     private static final int BATCH = 2048;
-    /** What was caught is on the disk after so long. */
+    /** Time after which labelled events are on the disk. */
     private static final long FLUSH_NS = 1_000_000_000;
     private static final Labelled END = new Labelled();
 
@@ -45,8 +45,8 @@ final class LiveWriter implements AutoCloseable {
     /**
      * Starts writing.
      *
-     * @param sinks take the events; not closed here
-     * @param warn is told at once which of them cannot be written on
+     * @param sinks receive the events; not closed here
+     * @param warn receives a message as soon as a sink fails
      */
     LiveWriter(List<LiveSink> sinks, Consumer<String> warn) {
         this.sinks = sinks;
@@ -54,15 +54,15 @@ final class LiveWriter implements AutoCloseable {
         for (int i = 0; i < BATCHES; i++) {
             empty.add(new Labelled());
         }
-        // as long as there is room, the thread that labels goes first
+        // while the queue has room, the labelling thread has priority
         thread.setPriority(Thread.MIN_PRIORITY);
         thread.start();
     }
 
     /**
-     * A batch to be filled; waits for one while all wait to be written.
+     * Returns a batch to be filled; waits for one while all are queued.
      *
-     * @throws IOException where nothing more can be written anywhere
+     * @throws IOException if no sink can be written any more
      */
     Labelled empty() throws IOException {
         try {
@@ -75,7 +75,7 @@ final class LiveWriter implements AutoCloseable {
         }
     }
 
-    /** Hands over a batch that {@link #empty} gave. */
+    /** Queues a batch that {@link #empty} returned. */
     void handOn(Labelled batch) {
         filled.add(batch);
     }
@@ -118,13 +118,13 @@ final class LiveWriter implements AutoCloseable {
         }
     }
 
-    /** Writes what was handed over, as far as it can be, and returns the time spent on writing, in nanoseconds. */
+    /** Writes the queued batches as far as possible, and returns the time spent on writing, in ns. */
     long finish() {
         close();
         return outputNs;
     }
 
-    /** Ends the thread after all that was handed over; tells nothing of what could not be written. */
+    /** Ends the thread once the queued batches are written; does not report failures to write. */
     @Override
     public void close() {
         if (thread.isAlive()) {

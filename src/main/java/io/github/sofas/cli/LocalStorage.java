@@ -15,7 +15,10 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** Files of this machine, and of what is mounted on it. */
+/**
+ * Storage on the disks of this machine and on file systems that are mounted on it. Files get their places by renaming,
+ * so that no program sees a part of one.
+ */
 final class LocalStorage implements Storage {
     @Override
     public Set<String> names(String folder) {
@@ -47,7 +50,7 @@ final class LocalStorage implements Storage {
         try {
             Files.move(local, target, StandardCopyOption.ATOMIC_MOVE);
         } catch (AtomicMoveNotSupportedException e) {
-            // another disk: the same, once it is all there under a hidden name
+            // on another disk: copied under a hidden name first, then renamed
             Path hidden = Files.createTempFile(target.getParent(), ".", ".part");
             try {
                 Files.copy(local, hidden, StandardCopyOption.REPLACE_EXISTING);
@@ -73,7 +76,7 @@ final class LocalStorage implements Storage {
 
             @Override
             public FileVisitResult visitFileFailed(Path file, IOException failure) throws IOException {
-                // gone already: it was being written when it was found
+                // already gone: it was still being written when it was found
                 if (failure instanceof NoSuchFileException) {
                     return FileVisitResult.CONTINUE;
                 }

@@ -15,11 +15,12 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /**
- * Labels with look-ahead in two threads: one runs the engine on batches that follow, while the caller's looks at what
- * it gave from both sides. Labels, and with which batch each is given back, do not depend on which is faster.
+ * Labels with look-ahead in two threads. One thread runs the engine on the newest batches. Meanwhile, the caller's
+ * thread looks at the engine's results for earlier batches from both sides: at what came before and after an event.
+ * Which thread is faster affects neither the labels nor the batch with which each is given back.
  */
 final class LookAheadInTwo implements Labelling, AutoCloseable {
-    /** Batches that the engine is ahead: looking from both sides takes long where a slice of time ends. */
+    /** Batches by which the engine may be ahead: looking from both sides takes long at the end of a time slice. */
     private static final int AHEAD = 4;
 
     private final SmoothedSofas sofas;
@@ -27,7 +28,7 @@ final class LookAheadInTwo implements Labelling, AutoCloseable {
     private final Queue<Step> underWay = new ArrayDeque<>();
     private final Queue<Step> free = new ArrayDeque<>();
 
-    /** A batch that the engine labels, or has labelled. */
+    /** A batch that the engine is labelling or has labelled. */
     private static final class Step {
         private EventBatch events = new EventBatch(1);
         private final CausalBatch causal = new CausalBatch();
@@ -43,9 +44,9 @@ final class LookAheadInTwo implements Labelling, AutoCloseable {
     }
 
     /**
-     * Makes one.
+     * Creates a labelling in two threads.
      *
-     * @param sofas made for the events' sensor; nobody else uses it until this is closed
+     * @param sofas engine for the events' sensor; nobody else uses it until this object is closed
      */
     LookAheadInTwo(SmoothedSofas sofas) {
         this.sofas = sofas;
@@ -60,7 +61,7 @@ final class LookAheadInTwo implements Labelling, AutoCloseable {
         lookBack(AHEAD);
     }
 
-    /** Looks at what the engine gave, until it is ahead by so many batches. */
+    /** Looks at the engine's results until at most {@code ahead} batches are under way. */
     private void lookBack(int ahead) {
         while (underWay.size() > ahead) {
             Step step = underWay.remove();

@@ -11,13 +11,13 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * Whether labels know what comes after an event: those of recordings do, unless other is said. Goes with
- * {@link MethodOptions}.
+ * Options that determine whether labels depend on what comes after an event. Those of recordings do by default. Used
+ * together with {@link MethodOptions}.
  */
 final class LookAheadOptions {
-    /** The name of the parameter in results. */
+    /** Name of the look-ahead in the parameters of results. */
     static final String PARAMETER = RunSummary.LOOK_AHEAD;
-    /** That of recordings of which nothing else is asked, in ms. */
+    /** Look-ahead of recordings unless the options say otherwise, in ms. */
     static final int DEFAULT_MS = 200;
     private static final int US_PER_MS = 1000;
 
@@ -34,17 +34,17 @@ final class LookAheadOptions {
         + "labels, in a third to nine tenths of the processor time.")
     private boolean causal;
 
-    /** Whether there is to be a look-ahead. */
+    /** Whether the user asked for a look-ahead. */
     boolean isGiven() {
         return lookAheadMs != null;
     }
 
     /**
-     * A method for a recording: with the look-ahead that was asked for, or with the default one where nothing was and
-     * the method has it.
+     * Returns a method for a recording: with the look-ahead that was asked for, else with the default one if the method
+     * has it.
      *
-     * @param parameters those of the method where it is SOFAS
-     * @throws ParameterException where the method has none, or the look-ahead is outside its range or not wanted
+     * @param parameters parameters of the method if that is SOFAS
+     * @throws ParameterException if the method has no look-ahead, or the look-ahead is outside its range or not wanted
      */
     MethodChoice ofRecording(MethodChoice method, SofasParameters parameters) {
         boolean isDefault = lookAheadMs == null && !causal && isSofas(method)
@@ -53,7 +53,7 @@ final class LookAheadOptions {
             : applyTo(method, parameters);
     }
 
-    /** A method with the look-ahead that was asked for, and none where none was. */
+    /** Returns a method with the look-ahead that was asked for, or without one if none was. */
     MethodChoice applyTo(MethodChoice method, SofasParameters parameters) {
         if (lookAheadMs == null) {
             return method;
@@ -68,7 +68,7 @@ final class LookAheadOptions {
         return method.method().equals(MethodOptions.Method.SOFAS.toString());
     }
 
-    /** The same, of any option. */
+    /** Returns a method with the look-ahead that a given option asks for. */
     static MethodChoice withLookAhead(MethodChoice method, SofasParameters parameters, String option, int ms,
                                       CommandSpec command) {
         if (!isSofas(method)) {

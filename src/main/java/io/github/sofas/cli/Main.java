@@ -6,15 +6,15 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import picocli.CommandLine;
 
-/** Where the program starts. */
+/** Entry point of the program: runs one command, prints what went wrong, and determines the exit code. */
 public final class Main {
     /** Everything was done. */
     static final int OK = 0;
     /** A recording failed. */
     static final int FAILED = 1;
-    /** What was asked makes no sense; nothing was run. */
+    /** Wrong usage; nothing was run. */
     static final int USAGE = 2;
-    /** A batch that has nothing to run on; that of sysexits.h for a service that is not there. */
+    /** A batch has no cluster to run on; the code of sysexits.h for an unavailable service. */
     static final int NO_CLUSTER = 69;
 
     private Main() {
@@ -31,9 +31,9 @@ public final class Main {
     /**
      * Runs one command.
      *
-     * @param out gets what was asked for: figures, help, versions
-     * @param err gets progress, summaries and messages
-     * @return the exit code: 0 done, 1 a recording failed, 2 wrong usage
+     * @param out receives the requested output: figures, help, versions
+     * @param err receives progress, summaries and messages
+     * @return the exit code: 0 done, 1 a recording failed, 2 wrong usage, {@value #NO_CLUSTER} no Spark to run on
      */
     static int execute(PrintWriter out, PrintWriter err, String... args) {
         return execute(null, out, err, args);
@@ -65,7 +65,7 @@ public final class Main {
             return FAILED;
         });
         int exitCode = commandLine.execute(SofasCommand.withoutHelpAll(args));
-        // flushes, and tells of anything that was lost since the beginning
+        // flushes, and shows whether anything was lost since the beginning
         boolean isLost = out.checkError();
         if (isLost) {
             err.println("standard output cannot be written: what was to be printed is lost");
@@ -74,7 +74,7 @@ public final class Main {
         return isLost && exitCode == OK ? FAILED : exitCode;
     }
 
-    /** Prints what may have been meant; all options are asked, those too that the help leaves out. */
+    /** Prints what the user may have meant, among all options, including those that the help leaves out. */
     private static void printSuggestions(String[] args, PrintWriter err) {
         try {
             new SofasCommand().commandLine(true, args).parseArgs(SofasCommand.withoutHelpAll(args));

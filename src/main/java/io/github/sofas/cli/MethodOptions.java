@@ -17,7 +17,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Which method labels the events. Goes with {@link ParameterOptions}, which has the parameters of SOFAS. */
+/**
+ * Options that choose the method that labels the events. Used together with {@link ParameterOptions}, which has the
+ * parameters of SOFAS.
+ */
 final class MethodOptions {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
@@ -31,7 +34,7 @@ final class MethodOptions {
         description = "Derivative used by lucas-kanade: ${COMPLETION-CANDIDATES}; default: savitzky-golay.")
     private LucasKanadeDerivative derivative;
 
-    /** What labels the events. */
+    /** The methods. */
     enum Method {
         /** Ours. */
         SOFAS,
@@ -46,7 +49,7 @@ final class MethodOptions {
         }
     }
 
-    /** The derivatives of Lucas-Kanade in the words of the command line. */
+    /** The derivatives of Lucas-Kanade, named as on the command line. */
     enum LucasKanadeDerivative {
         /** The best of them. */
         SAVITZKY_GOLAY(Derivative.SAVITZKY_GOLAY),
@@ -68,9 +71,9 @@ final class MethodOptions {
     }
 
     /**
-     * What was asked for.
+     * Returns the method that was asked for.
      *
-     * @throws ParameterException where an option is of another method, or a value is wrong
+     * @throws ParameterException if an option belongs to another method, or a value is wrong
      */
     MethodChoice choice(ParameterOptions parameterOptions) {
         if (method != Method.LUCAS_KANADE && derivative != null) {
@@ -103,16 +106,16 @@ final class MethodOptions {
             (sensor, ended) -> new LucasKanade(sensor, chosen.derivative));
     }
 
-    /** Refuses what only SOFAS has, where another method was chosen. */
+    /** Refuses the options that only SOFAS has; called if another method was chosen. */
     private void refuseParametersOfSofas() {
         refuse(ofSofas(), "needs --method sofas but was used with " + method);
     }
 
     /**
-     * Refuses every option that says how events are labelled.
+     * Refuses every option that determines how events are labelled.
      *
-     * @param instead the option with which they are not labelled
-     * @throws ParameterException where there is one
+     * @param instead option with which they are not labelled
+     * @throws ParameterException if such an option was given
      */
     void refuseLabelling(String instead) {
         List<String> labelling = ofSofas();

@@ -9,8 +9,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 
 /**
- * Refuses an option that stands twice. Of two values one would count, and nobody could see which; for options in groups
- * the parser takes the last without a word.
+ * Refuses an option that stands twice. Only one of two values would count, and nobody could see which. For options in
+ * groups, the parser silently takes the last.
  */
 final class OnceEach {
     private static final String END_OF_OPTIONS = "--";
@@ -19,7 +19,7 @@ final class OnceEach {
     }
 
     /**
-     * Looks at what was typed.
+     * Checks the arguments as they were typed.
      *
      * @throws ParameterException at the first option that stands twice
      */
@@ -43,7 +43,7 @@ final class OnceEach {
                 throw new ParameterException(command.commandLine(), "option " + option.longestName()
                     + " must stand once but stands twice");
             }
-            // its value may look like an option
+            // skips the value, which may look like an option
             i += option.arity().max() > 0 && equals < 0 ? 1 : 0;
         }
     }

@@ -3,13 +3,13 @@ package io.github.sofas.cli;
 import io.github.sofas.flow.Labelling;
 
 /**
- * Labelling of one recording, until it is closed.
+ * The labelling of one recording; closing it ends the threads of the labelling.
  *
- * @param labelling for the recording's sensor
- * @param end ends the threads that it has of its own
+ * @param labelling made for the recording's sensor
+ * @param end ends the labelling's own threads
  */
 record OpenLabelling(Labelling labelling, Runnable end) implements AutoCloseable {
-    /** Labelling in the thread that asks. */
+    /** A labelling in the caller's thread, with nothing to end. */
     OpenLabelling(Labelling labelling) {
         this(labelling, () -> { });
     }

@@ -11,7 +11,10 @@ import java.util.Objects;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 
-/** What a command is about to write, looked at before anything is run. */
+/**
+ * Checks the files that a command is about to write, before anything is run. No output may replace an input, another
+ * output or, unless the user forces it, an existing file.
+ */
 final class OutputFiles {
     private final CommandLine command;
 
@@ -20,10 +23,10 @@ final class OutputFiles {
     }
 
     /**
-     * Makes the folder of the results where it is not there.
+     * Creates the folder of the results if it does not exist.
      *
-     * @throws ParameterException where the name cannot be that of a folder
-     * @throws FailureException where the system does not let us make it
+     * @throws ParameterException if the name cannot be that of a folder
+     * @throws FailureException if the system does not allow us to create it
      */
     void makeFolder(Path folder) {
         if (folder.toString().isEmpty()) {
@@ -40,10 +43,10 @@ final class OutputFiles {
     }
 
     /**
-     * Checks that nothing is written over what is read, or twice; links lead where they lead.
+     * Checks that no output overwrites an input and none is written twice. Links are followed.
      *
-     * @param inputs and outputs may hold null for what was not asked for
-     * @throws ParameterException where something would be
+     * @param inputs and outputs may hold null for files that were not asked for
+     * @throws ParameterException if one would
      */
     void check(List<Path> inputs, List<Path> outputs) {
         List<Path> written = new ArrayList<>();
@@ -68,10 +71,10 @@ final class OutputFiles {
     }
 
     /**
-     * Checks that files can be where they are to be, for a command that makes no folder.
+     * Checks that outputs can be written at their places. A command that creates folders does so before.
      *
-     * @param outputs may hold null for what was not asked for
-     * @throws ParameterException where a folder is not there, or one is in place of the file
+     * @param outputs may hold null for files that were not asked for
+     * @throws ParameterException if the folder of an output is missing, or a folder is in the place of the output
      */
     void checkPlaces(List<Path> outputs) {
         for (Path output : outputs) {
@@ -89,7 +92,7 @@ final class OutputFiles {
     /**
      * Checks that no output exists.
      *
-     * @throws ParameterException where one does
+     * @throws ParameterException if one does
      */
     void refuseExisting(List<Path> outputs) {
         outputs.stream().filter(Objects::nonNull).filter(OutputFiles::isThere).findFirst().ifPresent(existing -> {
@@ -97,7 +100,7 @@ final class OutputFiles {
         });
     }
 
-    /** Whether there is something of this name, be it a link that leads nowhere. */
+    /** Whether something of this name exists, even a link that leads nowhere. */
     static boolean isThere(Path file) {
         return Files.exists(file, LinkOption.NOFOLLOW_LINKS);
     }
@@ -110,7 +113,7 @@ final class OutputFiles {
         }
     }
 
-    /** Where a file is or will be. */
+    /** Real path of a file that exists or will be written. */
     private static Path real(Path file) throws IOException {
         if (Files.exists(file)) {
             return file.toRealPath();

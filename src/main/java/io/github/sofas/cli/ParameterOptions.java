@@ -21,14 +21,14 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /**
- * The algorithm's parameters on the command line. The options are not listed here: each {@link ParameterHandle} is one,
- * in its group, with the texts of its {@link Parameter}. The preset is the base, the config file changes it, and
- * options change that.
+ * The algorithm's parameters on the command line. The options are not listed here: each {@link ParameterHandle} becomes
+ * one, in its group, with the texts of its {@link Parameter}. The preset is the base, the config file overrides it, and
+ * options override the config file.
  */
 final class ParameterOptions {
     private static final List<ParameterHandle> OPTIONS = ParameterHandle.all();
 
-    /** What shell completion offers, and messages name. */
+    /** Names of the presets, for shell completion and messages. */
     private static final class PresetNames extends ArrayList<String> {
         private static final long serialVersionUID = 1L;
 
@@ -37,7 +37,7 @@ final class ParameterOptions {
         }
     }
 
-    /** Takes presets by the names that the help has. */
+    /** Converts the names of presets as the help shows them. */
     private static final class PresetConverter implements ITypeConverter<SofasParameters.Preset> {
         @Override
         public SofasParameters.Preset convert(String text) {
@@ -63,7 +63,7 @@ final class ParameterOptions {
         description = "Properties file with algorithm parameters, such as lifetime-px=6; options override it.")
     private Path config;
 
-    /** Adds one option a parameter to a command that has this class as a mixin. */
+    /** Adds one option per parameter to a command that has this class as a mixin. */
     static void addTo(CommandSpec command, boolean shown) {
         Map<String, ArgGroupSpec.Builder> groups = new LinkedHashMap<>();
         for (ParameterHandle handle : OPTIONS) {
@@ -98,7 +98,7 @@ final class ParameterOptions {
                 separator = ", ";
             }
         }
-        // Picocli reads percent signs and variables in descriptions.
+        // Picocli interprets percent signs and variables in descriptions.
         return text.append('.').toString().replace("%", "%%").replace("${", "$ {");
     }
 
@@ -113,15 +113,15 @@ final class ParameterOptions {
         return value instanceof Enum ? ((Enum<?>) value).name().toLowerCase(Locale.ROOT) : value.toString();
     }
 
-    /** The config file; null where there is none. */
+    /** The config file; null if there is none. */
     Path config() {
         return config;
     }
 
     /**
-     * What the config file says, as options; without what an option says otherwise.
+     * The settings of the config file as options, without those that an option of the command line overrides.
      *
-     * @throws IllegalArgumentException where the file cannot be read, with a message for the user
+     * @throws IllegalArgumentException if the file cannot be read; the message is for the user
      */
     List<String> configAsOptions() {
         List<String> options = new ArrayList<>();
@@ -144,7 +144,7 @@ final class ParameterOptions {
     /**
      * The parameters that were asked for.
      *
-     * @throws ParameterException where a value is wrong or the config file has a key that is no parameter
+     * @throws ParameterException if a value is wrong or the config file has a key that is no parameter
      */
     SofasParameters parameters() {
         Map<ParameterHandle, Given> given = new LinkedHashMap<>();
@@ -189,7 +189,7 @@ final class ParameterOptions {
         }
     }
 
-    /** What was given for a parameter, and where. */
+    /** The text that was given for a parameter, and its place: an option, or a line of a file. */
     private record Given(String place, String text) {
     }
 
@@ -220,7 +220,7 @@ final class ParameterOptions {
         }
     }
 
-    /** Every parameter but the preset under its option's name, group by group. */
+    /** All parameters but the preset by the names of their options, group by group. */
     static Map<String, Object> asMap(SofasParameters parameters) {
         Map<String, Object> values = new LinkedHashMap<>();
         for (ParameterHandle handle : OPTIONS) {
@@ -230,8 +230,8 @@ final class ParameterOptions {
     }
 
     /**
-     * The message begins with the parameter and may name another that it is held against; the user wrote an option or a
-     * line of a file.
+     * Rewrites a message in the user's words. The message begins with a parameter and may name another one that it is
+     * compared with; the user wrote an option or a line of a file.
      */
     private static String inUsersWords(String message, Map<ParameterHandle, Given> given) {
         String text = message;

@@ -15,7 +15,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** What a recording does not say itself, for all commands that read recordings. */
+/**
+ * Options of all commands that read recordings. They give what a recording does not say itself, and limit the faults
+ * that it may have.
+ */
 final class ReadingOptions {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
@@ -50,7 +53,7 @@ final class ReadingOptions {
     /**
      * Checks the values.
      *
-     * @throws ParameterException where one is wrong
+     * @throws ParameterException if one is wrong
      */
     void check() {
         if (forceChip && chip == null) {
@@ -65,7 +68,7 @@ final class ReadingOptions {
         try {
             recordingOptions();
         } catch (IllegalArgumentException e) {
-            // begins with the name of what is wrong, which is that of the option
+            // the message begins with the name of the wrong value, which is that of the option
             throw usage("--" + e.getMessage());
         }
     }
@@ -75,23 +78,23 @@ final class ReadingOptions {
     }
 
     /**
-     * Why what came of a recording is doubtful; null where it is not.
+     * Why the results of a recording are doubtful; null if they are not.
      *
-     * @param share of its events that were corrected, dropped or malformed
+     * @param share share of the recording's events that were corrected, dropped or malformed
      */
     String doubt(Path recording, double share) {
         return share <= doubtfulShare ? null : String.format(Locale.ROOT, "doubtful: %s, %s %% of whose events were "
             + "corrected, dropped or malformed", recording.getFileName(), percent(share));
     }
 
-    /** Rounded, but never to the limit that it is over. */
+    /** The share in percent, rounded, but never down to the limit that it exceeds. */
     private String percent(double share) {
         double percent = 100 * share;
         double rounded = Math.round(10 * percent) / 10.0;
         return rounded > 100 * doubtfulShare ? String.format(Locale.ROOT, "%.1f", rounded) : String.valueOf(percent);
     }
 
-    /** A pipe is opened when someone opens its other end, which may be never: says so before. */
+    /** Says so before a pipe is opened: opening waits until someone opens the other end, which may be never. */
     static void sayIfWaiting(Path recording, PrintWriter err) {
         try {
             if (Files.readAttributes(recording, BasicFileAttributes.class).isOther()) {
@@ -100,12 +103,12 @@ final class ReadingOptions {
                 err.flush();
             }
         } catch (IOException e) {
-            // the opening will tell
+            // opening the recording will report this
             return;
         }
     }
 
-    /** What {@link #check} has checked. */
+    /** The options for reading, which {@link #check} has checked. */
     RecordingOptions recordingOptions() {
         RecordingOptions options = RecordingOptions.defaults().withChip(chip).withStrict(strict)
             .withForceChip(forceChip);

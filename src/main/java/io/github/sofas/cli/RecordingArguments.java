@@ -21,33 +21,34 @@ import java.util.regex.PatternSyntaxException;
 import java.util.stream.Stream;
 
 /**
- * The recordings that a command line means: files, all recordings of a directory (not of those inside it), and
- * patterns that no shell has expanded.
+ * Finds the recordings that a command line names, and the names of their results. Arguments are files, directories, or
+ * patterns that no shell has expanded. A directory stands for all recordings in it, but not for those of its
+ * subdirectories.
  */
 final class RecordingArguments {
     /**
-     * What a directory is searched for; of text, only what begins with events and is no result of this program, because
-     * notes and results are text too.
+     * Extensions that a directory is searched for. A text file must also begin with events and be no result of this
+     * program, because notes and results are text, too.
      */
     static final List<String> EXTENSIONS = List.of("aedat", "aedat2", "aedat3", "aedat4", "dat", "raw", "es",
         "bin", "h5", "hdf5", "csv", "txt");
     private static final List<String> TEXT = List.of("csv", "txt");
-    /** Results that hold a row for each event, and truth: text that reads as a recording and is none. */
+    /** Endings of results with one row per event, and of truth: text that reads as a recording but is none. */
     private static final List<String> RESULTS = List.of(".flow.csv", ".truth.csv");
 
     private static final String WILDCARDS = "*?[{";
-    /** What stands in an argument for bytes that are no characters. */
+    /** The character that replaces bytes of an argument that are no characters. */
     private static final char UNREADABLE = '\uFFFD';
-    /** Of file names. */
+    /** Encoding of file names. */
     private static final String ENCODING = System.getProperty("sun.jnu.encoding", "this system's encoding");
 
     private RecordingArguments() {
     }
 
     /**
-     * Expands arguments in their order, directories and patterns in the order of names; no file comes twice.
+     * Expands arguments in their order, and directories and patterns in the order of names; each file is listed once.
      *
-     * @throws IllegalArgumentException where one means nothing, with a message for the user
+     * @throws IllegalArgumentException if an argument matches nothing; the message is for the user
      */
     static List<Path> expand(List<String> arguments) {
         Set<Path> seen = new LinkedHashSet<>();
@@ -64,7 +65,7 @@ final class RecordingArguments {
 
     private static List<Path> expand(String argument) {
         if (argument.isEmpty()) {
-            // of a variable of the shell that is not set, and not the directory that the shell is in
+            // comes from an unset variable of the shell, and does not mean the current directory
             throw new IllegalArgumentException("a recording must be a file, a directory or a pattern but was empty");
         }
         Path path;
@@ -114,7 +115,7 @@ final class RecordingArguments {
      * Whether a file of a directory is taken for a recording.
      *
      * @param fileName its name
-     * @param isText tells whether it begins with events as text; asked only where the name leaves it open
+     * @param isText determines whether the file begins with events as text; called only if the name leaves it open
      */
     static boolean looksLikeRecording(String fileName, BooleanSupplier isText) {
         String name = fileName.toLowerCase(Locale.ROOT);
@@ -124,7 +125,7 @@ final class RecordingArguments {
     }
 
     private static List<Path> match(Path pattern) {
-        // The folders before the first wildcard are where the search starts.
+        // The search starts in the folder before the first wildcard.
         Path start = pattern.isAbsolute() ? pattern.getRoot() : Path.of("");
         int fixed = 0;
         while (pattern.getName(fixed).toString().chars().noneMatch(c -> WILDCARDS.indexOf(c) >= 0)) {
@@ -138,7 +139,7 @@ final class RecordingArguments {
         PathMatcher matcher = FileSystems.getDefault().getPathMatcher("glob:" + rest);
         int depth = rest.toString().contains("**") ? Integer.MAX_VALUE : rest.getNameCount();
         Path from = start;
-        // As in a shell, a wildcard does not stand for the dot of a hidden name; results in the making have such names.
+        // As in a shell, a wildcard does not match the dot of a hidden name. Unfinished results have such names.
         boolean hiddenToo = isHidden(rest);
         return list(start, depth, file -> {
             Path relative = from.relativize(file);
@@ -156,7 +157,9 @@ final class RecordingArguments {
         return false;
     }
 
-    /** A link that leads nowhere is not passed over in silence: it fails when it is opened. */
+    /**
+     * Whether a file may be a recording. A link that leads nowhere is not skipped silently: it fails when it is opened.
+     */
     private static boolean mayBeRecording(Path file) {
         return Files.isRegularFile(file) || Files.isSymbolicLink(file) && !Files.exists(file);
     }
@@ -173,8 +176,8 @@ final class RecordingArguments {
      * Names the results of each recording, in the order given.
      *
      * @param withExtension whether the last extension is kept
-     * @throws IllegalArgumentException where two recordings have one name or one is no name for a file, with a message
-     *     for the user
+     * @throws IllegalArgumentException if two recordings have the same name, or a name cannot be that of a file; the
+     *     message is for the user
      */
     static Map<String, Path> byName(List<Path> recordings, boolean withExtension) {
         Map<String, Path> named = new LinkedHashMap<>();
@@ -191,7 +194,7 @@ final class RecordingArguments {
         return named;
     }
 
-    /** A name whose bytes are no characters can be read from a directory, but not be written everywhere. */
+    /** Refuses a name whose bytes are no characters: it can be read from a directory, but not be written everywhere. */
     private static void checkResultsCanBeNamed(Path recording, String name) {
         try {
             Path.of(name);

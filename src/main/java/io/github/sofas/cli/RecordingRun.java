@@ -23,21 +23,21 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * One recording from its first event to its result files: read a batch, label it, write its rows, again
+ * Runs one recording from its first event to its result files. In a loop, a batch is read, labelled and written
  * ({@link BatchPipeline}, {@link RunSteps}).
  *
- * @param recording what is read
- * @param source the recording as the summary names it
- * @param options how it is read
+ * @param recording the file that is read
+ * @param source name of the recording in the summary
+ * @param options how the recording is read
  * @param method labels the events
  * @param names of the results
- * @param reportedCommand what the report says was typed; null where no report is written
- * @param replaces whether results that exist are replaced
+ * @param reportedCommand the command that the report shows as typed; null if no report is written
+ * @param replaces whether existing results are replaced
  * @param formats of the tables of events and tracks, each once, in the order of the enum
  */
 record RecordingRun(Path recording, String source, RecordingOptions options, MethodChoice method, ResultNames names,
                     String reportedCommand, boolean replaces, List<TableFormat> formats) {
-    /** All that this run writes, the summary last but for the report. */
+    /** All files that this run writes, the summary last except for the report. */
     List<Path> files() {
         List<Path> files = names.ofRun(formats);
         if (reportedCommand != null) {
@@ -51,26 +51,27 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         return files().stream().filter(OutputFiles::isThere).toList();
     }
 
-    /** The same run, whose summary names the recording so. */
+    /** The same run with another name of the recording in the summary. */
     RecordingRun of(String shownSource) {
         return new RecordingRun(recording, shownSource, options, method, names, reportedCommand, replaces, formats);
     }
 
-    /** The same run, which replaces results that exist. */
+    /** The same run, but existing results are replaced. */
     RecordingRun replacing() {
         return new RecordingRun(recording, source, options, method, names, reportedCommand, true, formats);
     }
 
     /**
-     * All that the results follow from: the program's version, the recording's size and time of change, and a
-     * fingerprint of how it is read and of the method with its parameters.
+     * Everything that determines the results: the program's version, the recording's size and time of change, and a
+     * fingerprint. The fingerprint covers how the recording is read, the method with its parameters, and which results
+     * are written.
      */
     String request() {
         File file = recording.toFile();
         return request(file.length(), file.lastModified());
     }
 
-    /** The same of a recording that was not fetched: its size, and when it was changed in ms since 1970. */
+    /** The same for a recording that was not fetched: its size in bytes, and its time of change in ms since 1970. */
     String request(long bytes, long changedMs) {
         List<Object> all = List.of(String.valueOf(options.chip()), options.strict(), options.forceChip(),
             String.valueOf(options.columns()), String.valueOf(options.timeUnit()), method.method(), method.preset(),
@@ -84,7 +85,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         }
     }
 
-    /** Why the results that are there are not those of this run, of the whole recording; null where they are. */
+    /** Why the existing results are not those of this run of the whole recording; null if they are. */
     String whyNotDone() {
         EarlierRun earlier = EarlierRun.of(names.summary());
         return earlier == null ? "there is no summary, or it is cut" : earlier.whyNot(request(), files().stream()
@@ -92,11 +93,12 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
     }
 
     /**
-     * Runs. A damaged recording has results too, of every event before the damage.
+     * Labels the recording and writes the results. A damaged recording has results, too, of every event before the
+     * damage.
      *
-     * @param threads how many work, 1 to {@value BatchPipeline#MOST_THREADS}; results do not depend on it
-     * @throws EventSourceException where the recording cannot be opened; there are no results then
-     * @throws IOException where the results cannot be written; there are none then
+     * @param threads number of threads, 1 to {@value BatchPipeline#MOST_THREADS}; results do not depend on it
+     * @throws EventSourceException if the recording cannot be opened; there are no results then
+     * @throws IOException if the results cannot be written; there are none then
      */
     RunOutcome run(RunProgress progress, int threads) throws EventSourceException, IOException, InterruptedException {
         long start = System.nanoTime();
@@ -129,7 +131,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         }
     }
 
-    /** What a table says of itself, where its format has a place for it; the same whenever the same is run. */
+    /** Metadata of a table, if its format has a place for them; repeating a run gives the same metadata. */
     private Map<String, String> metadata(RecordingReader reader) throws IOException {
         Map<String, String> metadata = new LinkedHashMap<>();
         metadata.put("sofas_version", Version.text());
@@ -142,7 +144,7 @@ record RecordingRun(Path recording, String source, RecordingOptions options, Met
         return metadata;
     }
 
-    /** Writes the report; where that fails it costs the report, not the results. */
+    /** Writes the report. A failure costs the report, not the results, and is returned; null if there is none. */
     private Exception writeReport(ResultFiles results, ReportCollector report, RunSummary summary) {
         try (OutputStream file = results.create(names.report())) {
             report.write(file, summary, reportedCommand, results.temporary(names.flow()));

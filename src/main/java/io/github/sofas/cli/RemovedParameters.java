@@ -4,7 +4,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 
-/** Options and keys of config files that there were once, so that the message can say what became of it. */
+/**
+ * Parameters of earlier versions, which were options and keys of config files. Using one is an error whose message says
+ * what became of it.
+ */
 final class RemovedParameters {
     private static final Map<String, String> REASONS = new LinkedHashMap<>();
 
@@ -54,12 +57,12 @@ final class RemovedParameters {
         REASONS.put(name, "it is always " + value);
     }
 
-    /** All of them, as options without dashes. */
+    /** Names of all removed parameters, as options without dashes. */
     static Set<String> names() {
         return REASONS.keySet();
     }
 
-    /** What became of one, beginning with its name. */
+    /** Says what became of a parameter, beginning with its name. */
     static String message(String name) {
         return name + " was removed: " + REASONS.get(name) + "; see CHANGELOG.md";
     }

@@ -10,8 +10,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /**
- * Labels that a file holds, of this program or another, in place of a method. The file must have a row for every event
- * of the recording, in order; a row that is of another event ends the labelling with a {@link MismatchException}.
+ * Labels from a file, written by this program or another, in place of a method. The file must have one row per event of
+ * the recording, in order. A row of another event ends the labelling with a {@link MismatchException}.
  */
 final class ResultLabels implements EventLabeller, Closeable {
     private static final String ID_COLUMN = "segment";
@@ -19,7 +19,7 @@ final class ResultLabels implements EventLabeller, Closeable {
     private final EventCsvReader rows;
     private long events;
 
-    /** The labels are not those of the recording, or cannot be read; the message says at which line. */
+    /** The labels are not those of the recording, or cannot be read; the message names the line. */
     static final class MismatchException extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
@@ -35,8 +35,8 @@ final class ResultLabels implements EventLabeller, Closeable {
     /**
      * Opens a file.
      *
-     * @throws EventSourceException where it has not the columns of a flow file
-     * @throws IOException where it cannot be read
+     * @throws EventSourceException if it does not have the columns of a flow file
+     * @throws IOException if it cannot be read
      */
     static ResultLabels open(Path file) throws EventSourceException, IOException {
         return new ResultLabels(EventCsvReader.open(file, ID_COLUMN));
@@ -72,7 +72,7 @@ final class ResultLabels implements EventLabeller, Closeable {
         return "t_us " + timeUs + ", x " + x + ", y " + y + ", polarity " + polarity;
     }
 
-    /** A file is read once. */
+    /** Not possible: a file is read once. */
     @Override
     public void reset() {
         throw new IllegalStateException("labels of a file are read once");

@@ -6,38 +6,38 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Which files have the results of a recording.
+ * Names of the files that hold the results of a recording.
  *
  * @param out their folder
  * @param name of the results, without their endings
  */
 record ResultNames(Path out, String name) {
-    /** Where the row of every event goes. */
+    /** File with one row per event, as CSV. */
     Path flow() {
         return flow(TableFormat.CSV);
     }
 
-    /** The same in any format. */
+    /** The same in a given format. */
     Path flow(TableFormat format) {
         return ending("flow." + format.extension());
     }
 
-    /** Where each segment's way goes. */
+    /** File with the track of each segment. */
     Path tracks(TableFormat format) {
         return ending("tracks." + format.extension());
     }
 
-    /** Where the track planes go. */
+    /** File with one row per track plane. */
     Path segments() {
         return ending("segments.csv");
     }
 
-    /** Where the figures of the run go. */
+    /** File with the figures of the run. */
     Path summary() {
         return ending("summary.json");
     }
 
-    /** Where the report goes. */
+    /** File of the report. */
     Path report() {
         return ending("report.html");
     }
@@ -46,7 +46,7 @@ record ResultNames(Path out, String name) {
         return out.resolve(name + "." + ending);
     }
 
-    /** All that a run without a report writes, the summary last. */
+    /** All files of a run without a report, the summary last. */
     List<Path> ofRun(List<TableFormat> formats) {
         List<Path> files = new ArrayList<>();
         for (TableFormat format : formats) {
@@ -58,7 +58,7 @@ record ResultNames(Path out, String name) {
         return files;
     }
 
-    /** All that a live stream leaves, the summary last. */
+    /** All files of a live stream, the summary last. */
     List<Path> ofLive() {
         return List.of(flow(), segments(), summary());
     }

@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Set;
 import picocli.CommandLine.Option;
 
-/** How the results of recordings are written, for the commands that label many. */
+/**
+ * Options of commands that label many recordings: formats and names of the results, and what happens to existing ones.
+ */
 final class ResultOptions {
     @Option(names = "--format", paramLabel = "FORMAT", split = ",", defaultValue = "csv",
         description = "Formats of NAME.flow and NAME.tracks: csv, parquet, npz, or some of them; default: "
@@ -28,7 +30,7 @@ final class ResultOptions {
     /**
      * The formats of the tables, each once, in the order of the enum.
      *
-     * @throws IllegalArgumentException where one is unknown, with a message for the user
+     * @throws IllegalArgumentException if one is unknown; the message is for the user
      */
     List<TableFormat> formats() {
         Set<TableFormat> formats = EnumSet.noneOf(TableFormat.class);
@@ -40,17 +42,17 @@ final class ResultOptions {
         return List.copyOf(formats);
     }
 
-    /** Whether results that exist are replaced. */
+    /** Whether existing results are replaced. */
     boolean replaces() {
         return force;
     }
 
-    /** Whether what is complete is passed over. */
+    /** Whether recordings with complete results are skipped. */
     boolean resumes() {
         return resume;
     }
 
-    /** Whether results keep the extension of their recording. */
+    /** Whether the names of results keep the extension of their recording. */
     boolean keepsExtension() {
         return nameWithExtension;
     }

@@ -26,7 +26,10 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Gives flow and segment to every event of recordings. */
+/**
+ * Labels every event of recordings with flow and segment. This class checks the arguments and starts the runs, several
+ * at a time if asked to. {@link RecordingRun} does the work.
+ */
 @Command(name = "run", sortOptions = false,
     customSynopsis = "sofas run [OPTION]... --out DIR RECORDING...",
     description = {"Label each event of recordings with flow and segment.",
@@ -81,10 +84,10 @@ final class RunCommand implements Callable<Integer> {
     @Mixin
     private ParameterOptions parameterOptions;
 
-    /** Recordings whose results are not to be trusted, and why. */
+    /** Recordings with doubtful results, and the reasons. */
     private final Map<Path, String> doubts = new ConcurrentSkipListMap<>();
 
-    /** A run that was started, and what it will come to. */
+    /** A run that was started, and whether it will succeed. */
     private record Started(RecordingRun run, Future<Boolean> succeeds) {
     }
 
@@ -126,15 +129,18 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    /** The last line, whatever else went well; in the order of names, whichever ended first. */
+    /**
+     * Prints the doubts at the very end, even if all else went well, in the order of names and not in that of
+     * completion.
+     */
     private void sayDoubts() {
         doubts.values().forEach(doubt -> spec.commandLine().getErr().println(Printable.of(doubt)));
     }
 
     /**
-     * The command with options and a single recording, which need not be there.
+     * Returns the command with options and a single recording, which need not exist.
      *
-     * @param options without recording and folder
+     * @param options without recording and output folder
      */
     static RunCommand parsed(List<String> options, Path recording, Path out) {
         List<String> arguments = new ArrayList<>(List.of("run"));
@@ -145,12 +151,12 @@ final class RunCommand implements Callable<Integer> {
         return line.getSubcommands().get("run").getCommand();
     }
 
-    /** Threads of each recording. */
+    /** Number of threads per recording. */
     int threads() {
         return threads;
     }
 
-    /** Everything that can be wrong before the first recording is opened. */
+    /** Checks everything that can be wrong before the first recording is opened, and returns the runs. */
     private List<RecordingRun> check() {
         if (jobs < 1) {
             throw usage("--jobs must be at least 1 but was " + jobs);
@@ -195,7 +201,7 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    /** The runs of recordings, by the name of their results. */
+    /** Creates the runs of recordings, which are given by the names of their results. */
     List<RecordingRun> runs(Map<String, Path> named) {
         RecordingOptions options = reading.recordingOptions();
         MethodChoice method = lookAhead.ofRecording(methodOptions.choice(parameterOptions),
@@ -208,7 +214,7 @@ final class RunCommand implements Callable<Integer> {
         return runs;
     }
 
-    /** Those whose results are not there, or are not those of this run; which is said of each. */
+    /** Returns the runs whose results are missing or outdated. Reports each recording that is skipped or run again. */
     private List<RecordingRun> toResume(List<RecordingRun> runs) {
         PrintWriter err = spec.commandLine().getErr();
         List<RecordingRun> rest = new ArrayList<>();
@@ -229,7 +235,7 @@ final class RunCommand implements Callable<Integer> {
         return rest;
     }
 
-    /** The command as a shell takes it. */
+    /** The command as it was typed, quoted for a shell. */
     private String typed() {
         return spec.commandLine().getParent().getParseResult().originalArgs().stream()
             .map(each -> each.matches("[\\w./=:,+-]+") ? each : "'" + each.replace("'", "'\\''") + "'")
@@ -240,16 +246,16 @@ final class RunCommand implements Callable<Integer> {
         return new ParameterException(spec.commandLine(), message);
     }
 
-    /** How much there is to read; a recording that cannot be looked at counts as nothing, and fails when opened. */
+    /** Total size of the recordings. One that cannot be accessed counts as 0, and fails when it is opened. */
     private static long bytes(List<RecordingRun> runs) {
         return runs.stream().mapToLong(run -> run.recording().toFile().length()).sum();
     }
 
-    /** Runs one recording and says what came of it. */
+    /** Runs one recording, reports what came of it, and returns whether it succeeded. */
     private boolean succeeds(RecordingRun run, RunProgress progress) throws Exception {
         ReadingOptions.sayIfWaiting(run.recording(), spec.commandLine().getErr());
         RunOutcome outcome = run.run(progress, threads);
-        // Faults end with the damage where there is one.
+        // The last fault is the damage, if there is one.
         outcome.summary().recording().notes().forEach(progress::say);
         outcome.summary().recording().faults().forEach(progress::say);
         addDoubt(run, outcome.summary().recording().doubtfulShare());

@@ -4,16 +4,16 @@ import io.github.sofas.event.EventSourceException;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Why a recording has no results, in the user's words. */
+/** Explains to the user why a recording has no results. */
 final class RunFailure {
     private RunFailure() {
     }
 
     /**
-     * The message for the user; null where the program itself is at fault.
+     * The message for the user; null if the program itself is at fault.
      *
-     * @param recording that was run
-     * @param cause what {@link RecordingRun#run} threw
+     * @param recording the recording that was run
+     * @param cause the exception that {@link RecordingRun#run} threw
      */
     static String text(Path recording, Throwable cause) {
         String place = "[" + recording.getFileName() + "] ";

@@ -15,7 +15,7 @@ import me.tongfei.progressbar.ProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBarStyle;
 
 /**
- * What is shown while recordings run: a bar where standard error is a terminal, and a line for each that is finished.
+ * Shows the progress of a command on standard error: a bar if that is a terminal, and a line per finished recording.
  * Used by several threads.
  */
 final class RunProgress implements AutoCloseable {
@@ -29,9 +29,9 @@ final class RunProgress implements AutoCloseable {
     private long eventsWithFlow;
 
     /**
-     * Makes one.
+     * Creates a display of progress.
      *
-     * @param bar null for none
+     * @param bar the bar; null for none
      */
     RunProgress(PrintWriter err, boolean quiet, ProgressBar bar) {
         this.err = err;
@@ -40,16 +40,16 @@ final class RunProgress implements AutoCloseable {
     }
 
     /**
-     * Starts showing.
+     * Starts showing the progress through recordings.
      *
-     * @param bytes size of all recordings together
+     * @param bytes total size of the recordings
      */
     static RunProgress start(PrintWriter err, boolean quiet, long bytes) {
         boolean shown = !quiet && standardErrorIsTerminal();
         return new RunProgress(err, quiet, shown ? bar(new Line(System.err), bytes) : null);
     }
 
-    /** A bar of megabytes; events and recordings would be known only at the end. */
+    /** Creates a bar in megabytes; progress in events or recordings would be known only at the end. */
     static ProgressBar bar(ProgressBarConsumer line, long bytes) {
         return new ProgressBarBuilder().setInitialMax(Math.max(1, bytes)).setUnit(" MB", 1_000_000)
             .setStyle(ProgressBarStyle.ASCII).setUpdateIntervalMillis(UPDATE_MS).setConsumer(line)
@@ -57,10 +57,10 @@ final class RunProgress implements AutoCloseable {
     }
 
     /**
-     * Starts showing work that is not measured in bytes.
+     * Starts showing the progress of work that is not measured in bytes.
      *
-     * @param unit of it, such as " s"
-     * @param most how much there is
+     * @param unit unit of the work, such as " s"
+     * @param most total amount of work
      */
     static RunProgress start(PrintWriter err, boolean quiet, String unit, long most) {
         boolean shown = !quiet && standardErrorIsTerminal();
@@ -69,14 +69,14 @@ final class RunProgress implements AutoCloseable {
             .setConsumer(new Line(System.err)).hideEta().clearDisplayOnFinish().build());
     }
 
-    /** Shows how far the work is. */
+    /** Shows how far the work has come. */
     synchronized void reached(long place) {
         if (bar != null) {
             bar.stepTo(place);
         }
     }
 
-    /** The terminal's line that the bar is drawn on; unlike the library's own, it leaves no empty line behind. */
+    /** The terminal's line on which the bar is drawn. Unlike the library's own, it leaves no empty line behind. */
     static final class Line extends ConsoleProgressBarConsumer {
         private final PrintStream stream;
 
@@ -96,7 +96,10 @@ final class RunProgress implements AutoCloseable {
         }
     }
 
-    /** Java reports only standard input and output; Linux reports standard error, too. */
+    /**
+     * Whether standard error is a terminal. Java shows this only for standard input and output; Linux does so for
+     * standard error, too.
+     */
     static boolean standardErrorIsTerminal() {
         Path standardError = Path.of("/proc/self/fd/2");
         try {
@@ -118,7 +121,7 @@ final class RunProgress implements AutoCloseable {
         }
     }
 
-    /** Shows the line of a recording that is finished. */
+    /** Shows the line of a finished recording. */
     synchronized void finished(String name, RunSummary summary) {
         if (!quiet) {
             long segments = summary.countLarge();
@@ -135,13 +138,13 @@ final class RunProgress implements AutoCloseable {
         return String.format(Locale.ROOT, "%.1f %% with flow, %.0f events/s", share, eventsPerSecond);
     }
 
-    /** Shows a line, above the bar where there is one. */
+    /** Shows a line, above the bar if there is one. */
     synchronized void say(String line) {
         clear();
         err.println(Printable.of(line));
     }
 
-    /** Wipes the bar's line until it is drawn again. */
+    /** Clears the bar's line until the bar is drawn again. */
     synchronized void clear() {
         if (bar != null) {
             err.print("\r\u001b[K");

@@ -16,8 +16,8 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * What is done with each batch of a recording, and how long it took; each step has its own figures. What looks ahead
- * gives events back later than they are read.
+ * Reads, labels and writes each batch of a recording, and measures the time of these steps. Each step has its own
+ * figures. With look-ahead, events are given back later than they are read.
  */
 abstract class RunSteps implements BatchPipeline.Steps {
     private final RecordingReader reader;
@@ -46,9 +46,9 @@ abstract class RunSteps implements BatchPipeline.Steps {
     }
 
     /**
-     * Makes the steps of one run.
+     * Creates the steps of one run.
      *
-     * @param report takes the labelled events, too; null where there is to be none
+     * @param report also receives the labelled events; null for no report
      */
     static RunSteps of(RecordingReader reader, MethodChoice method, RunTables tables, ReportCollector report,
                        RunProgress progress) {
@@ -58,7 +58,7 @@ abstract class RunSteps implements BatchPipeline.Steps {
             : new AtOnce(method.make(reader.sensor(), ended::add), reader, ended, tables, report, progress);
     }
 
-    /** Labels a batch before the next is read. */
+    /** Labels without look-ahead: each batch has its final labels at once. */
     private static final class AtOnce extends RunSteps {
         private final EventLabeller labeller;
 
@@ -94,7 +94,10 @@ abstract class RunSteps implements BatchPipeline.Steps {
         }
     }
 
-    /** Labels a batch when what follows it is known; looking at it from both sides is a part of writing. */
+    /**
+     * Labels with look-ahead: the final labels of a batch need what follows it. Looking at events from both sides is a
+     * part of writing.
+     */
     private static final class Ahead extends RunSteps {
         private final SmoothedSofas sofas;
 
@@ -125,7 +128,7 @@ abstract class RunSteps implements BatchPipeline.Steps {
             look(sofas::finish, slot);
         }
 
-        /** Writes the events that can be labelled after a step, in place of those that were read. */
+        /** Runs a step, then writes the events that can be labelled after it, in place of those that were read. */
         private void look(Runnable step, BatchPipeline.Slot slot) throws IOException {
             long start = System.nanoTime();
             step.run();
@@ -166,10 +169,10 @@ abstract class RunSteps implements BatchPipeline.Steps {
         engineNs += System.nanoTime() - start;
     }
 
-    /** Labels a batch, which is timed. */
+    /** Labels a batch; the caller measures the time. */
     abstract void labelNow(BatchPipeline.Slot slot);
 
-    /** The segments that live. */
+    /** The segments that are alive. */
     abstract List<Segment> living();
 
     /** Writes the labelled events of a slot, and counts them. */
@@ -196,7 +199,7 @@ abstract class RunSteps implements BatchPipeline.Steps {
         }
     }
 
-    /** Events of a labelled batch that got flow. */
+    /** Number of events of a labelled batch that have flow. */
     static int countWithFlow(EventBatch batch, FlowOutput flow) {
         int count = 0;
         for (int i = 0; i < batch.size(); i++) {
@@ -205,38 +208,38 @@ abstract class RunSteps implements BatchPipeline.Steps {
         return count;
     }
 
-    /** Why the recording could not be read to its end; null where it was. */
+    /** Why the recording could not be read to its end; null if it was. */
     EventSourceException damage() {
         return damage;
     }
 
-    /** Why the report did not take all events; null where it did, or there is none. */
+    /** Why the report did not take all events; null if it did, or there is none. */
     Exception reportFailure() {
         return reportFailure;
     }
 
-    /** All segments: those that ended, then those that live. */
+    /** All segments: those that ended, then those that are alive. */
     List<Segment> segments() {
         List<Segment> all = new ArrayList<>(ended);
         all.addAll(living());
         return all;
     }
 
-    /** How many events got flow. */
+    /** Number of events with flow. */
     long eventsWithFlow() {
         return eventsWithFlow;
     }
 
-    /** Why most events got none; empty where they did. */
+    /** The likely reason why most events have no flow; empty if most have flow. */
     String likelyReason() {
         return withoutFlow.likelyReason();
     }
 
     /**
-     * How long each step took.
+     * The time that each step took.
      *
-     * @param wallNs the whole run until now
-     * @param openNs opening the recording
+     * @param wallNs time of the whole run until now, ns
+     * @param openNs time for opening the recording, ns
      */
     RunSummary.Seconds seconds(long wallNs, long openNs) {
         return new RunSummary.Seconds(wallNs / 1e9, (openNs + decodeNs) / 1e9, (engineNs + lookAheadNs) / 1e9,

@@ -19,10 +19,10 @@ final class RunTables implements Closeable {
     private final List<TrackTable> tracks = new ArrayList<>();
 
     /**
-     * Opens one more of each.
+     * Opens both tables in one more format.
      *
-     * @param metadata what they say of themselves
-     * @throws IOException where a file cannot be written
+     * @param metadata metadata of the tables
+     * @throws IOException if a file cannot be written
      */
     void open(TableFormat format, ResultFiles results, ResultNames names, Map<String, String> metadata)
             throws IOException {
@@ -30,7 +30,7 @@ final class RunTables implements Closeable {
         tracks.add(TrackTable.open(format, results, names.tracks(format), metadata));
     }
 
-    /** Writes labelled events to all of them. */
+    /** Writes labelled events to all tables. */
     void write(EventBatch batch, FlowOutput flow) throws IOException {
         for (FlowWriter each : flows) {
             each.write(batch, flow);

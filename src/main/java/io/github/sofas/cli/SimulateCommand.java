@@ -30,7 +30,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
-/** Films a scene with a model of a sensor, and writes the recording with the truth of every event. */
+/** Films a scene with a model of a sensor, and writes the recording and the truth of every event. */
 @Command(name = "simulate", sortOptions = false,
     customSynopsis = {"sofas simulate SCENE --out DIR [OPTION]...", "       sofas simulate --list"},
     description = {"Film a scene with a simulated event camera.",
@@ -39,9 +39,11 @@ import picocli.CommandLine.Spec;
     exitCodeList = {"0:written", "1:the files cannot be written", "2:wrong usage; nothing was written"})
 final class SimulateCommand implements Callable<Integer> {
     private static final int BATCH = 4096;
-    /** Stands between a scene's name and its seed. */
+    /** Separates a scene's name from its seed. */
     private static final String SEED_MARK = ":";
-    /** The option of each component that a message of the options' or the sensor model's record may begin with. */
+    /**
+     * Option of each record component with which a message of {@link SimulationOptions} or {@link DvsModel} may begin.
+     */
     private static final Map<String, String> OPTIONS = Map.ofEntries(Map.entry("speedPxPerS", "--speed"),
         Map.entry("directionDeg", "--direction"), Map.entry("turnsPerS", "--turns"), Map.entry("scale", "--scale"),
         Map.entry("contrast", "--contrast"), Map.entry("texture", "--texture"), Map.entry("blurPx", "--blur"),
@@ -51,9 +53,9 @@ final class SimulateCommand implements Callable<Integer> {
         Map.entry("noiseHzPerPx", "--noise"), Map.entry("hotPixels", "--hot-pixels"),
         Map.entry("hotPixelHz", "--hot-pixel-rate"));
 
-    /** Shorter films round to none, which stands for the scene's own duration. */
+    /** Shortest film. Shorter ones could round to a duration of 0, which stands for the scene's own duration. */
     private static final double SHORTEST_S = 0.001;
-    /** Options that only some scenes look at. */
+    /** Options that affect only some scenes. */
     private static final Map<String, Set<Scene>> ONLY_OF = Map.of("--turns", Set.of(Scene.SHORT_BAR, Scene.LONG_BAR),
         "--turn-round", Set.of(Scene.FOUR_BARS), "--field-of-view", Set.of(Scene.PENDULUM),
         "--surface", Set.of(Scene.TEXTURED_PAN, Scene.TEXTURED_ROLL, Scene.TEXTURED_ZOOM, Scene.TEXTURED_HAND,
@@ -84,7 +86,7 @@ final class SimulateCommand implements Callable<Integer> {
     @ArgGroup(validate = false, heading = "%nThe sensor:%n")
     private final SensorChoices sensor = new SensorChoices();
 
-    /** What happens before the sensor. */
+    /** Options of the scene before the sensor. */
     private static final class SceneChoices {
         @Option(names = "--duration", paramLabel = "SECONDS",
             description = "Length of the film; 0 for the scene's own.")
@@ -130,7 +132,7 @@ final class SimulateCommand implements Callable<Integer> {
         private Long seed;
     }
 
-    /** What sees it. */
+    /** Options of the sensor that sees the scene. */
     private static final class SensorChoices {
         @Option(names = "--chip", paramLabel = "CHIP", description = "The sensor; default: DAVIS240C.")
         private String chip = "DAVIS240C";
@@ -218,7 +220,7 @@ final class SimulateCommand implements Callable<Integer> {
         return known;
     }
 
-    /** An option that changes nothing in the film was meant for another one. */
+    /** Refuses an option that changes nothing in the film: it was meant for another film. */
     private void refuseWithoutEffect(Scene filmed) {
         ParseResult typed = spec.commandLine().getParseResult();
         for (Map.Entry<String, Set<Scene>> option : ONLY_OF.entrySet()) {

@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
-/** The command without a subcommand, and the options that all share. */
+/** The command without a subcommand, and the options that all commands share. This class assembles the command line. */
 @Command(name = "sofas", mixinStandardHelpOptions = true, scope = ScopeType.INHERIT, versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
     description = "Optical flow and segmentation of event-camera recordings, per event.")
@@ -25,24 +25,24 @@ final class SofasCommand implements Callable<Integer> {
     private static final List<Class<?>> COMMANDS = List.of(RunCommand.class, BatchCommand.class, RenderCommand.class,
         LiveCommand.class, InfoCommand.class, ConvertCommand.class, EvaluateCommand.class, SimulateCommand.class,
         ExperimentsCommand.class, CompareCommand.class, BenchCommand.class);
-    /** Commands about commands, which need them all. */
+    /** Commands about commands, which need all of the others. */
     private static final List<Class<?>> ABOUT_COMMANDS = List.of(HelpCommand.class,
         AutoComplete.GenerateCompletion.class);
-    /** Those that have the algorithm's parameters as options. */
+    /** Commands that have the algorithm's parameters as options. */
     private static final Set<Class<?>> WITH_PARAMETERS = Set.of(RunCommand.class, BatchCommand.class,
         RenderCommand.class, LiveCommand.class, EvaluateCommand.class, ExperimentsCommand.class, BenchCommand.class);
 
     private static final String HELP_ALL = "--help-all";
-    /** With these, help and completion show the algorithm's parameters too. */
+    /** With these arguments, help and completion show the algorithm's parameters, too. */
     private static final Set<String> SHOW_PARAMETERS = Set.of(HELP_ALL, "generate-completion");
 
-    /** Where batches run; null where there is no cluster. */
+    /** The cluster on which batches run; null if there is none. */
     private final Cluster cluster;
 
     @Spec
     private CommandSpec spec;
 
-    /** Never parsed: {@link #withoutHelpAll} takes it for {@code --help}, of which there can be but one. */
+    /** Never parsed: {@link #withoutHelpAll} replaces it by {@code --help}, the only possible help option. */
     @Option(names = HELP_ALL, scope = ScopeType.INHERIT,
         description = "Show this help message with all parameters of the algorithm and exit.")
     private boolean helpAll;
@@ -60,20 +60,20 @@ final class SofasCommand implements Callable<Integer> {
         this.cluster = cluster;
     }
 
-    /** Where batches run; null where there is no cluster. */
+    /** The cluster on which batches run; null if there is none. */
     Cluster cluster() {
         return cluster;
     }
 
     /**
-     * The command line with the command that is asked for, or with all where none is named: preparing one of them takes
-     * several times as long as reading its arguments.
+     * Returns the command line with the command that is asked for, or with all if none is named. Preparing a command
+     * takes several times as long as reading its arguments.
      */
     CommandLine commandLine(String... arguments) {
         return commandLine(Arrays.stream(arguments).anyMatch(SHOW_PARAMETERS::contains), arguments);
     }
 
-    /** The same with the parameters shown or not, whatever the arguments ask for. */
+    /** The same with the algorithm's parameters shown or not, whatever the arguments ask for. */
     CommandLine commandLine(boolean showsParameters, String... arguments) {
         CommandLine line = new CommandLine(this);
         List<Class<?>> asked = COMMANDS.stream()
@@ -94,7 +94,7 @@ final class SofasCommand implements Callable<Integer> {
         return line;
     }
 
-    /** The arguments as they are parsed, after {@link #commandLine} has looked at them. */
+    /** The arguments as they are to be parsed, after {@link #commandLine} has looked at them. */
     static String[] withoutHelpAll(String... arguments) {
         return Arrays.stream(arguments).map(each -> each.equals(HELP_ALL) ? "--help" : each).toArray(String[]::new);
     }
@@ -109,7 +109,7 @@ final class SofasCommand implements Callable<Integer> {
         return Main.USAGE;
     }
 
-    /** Says in one line that a fault of the program itself was met; with {@code --verbose}, where. */
+    /** Reports in one line a fault of the program itself; with {@code --verbose}, also where it occurred. */
     void printUnexpected(PrintWriter err, String place, Throwable exception) {
         err.println(place + "unexpected error: " + exception + (verbose ? "" : " (--verbose shows where)"));
         if (verbose) {

@@ -6,11 +6,11 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * Ctrl-C and the signal by which services are ended, taken as a wish to finish. The second one ends the program at
- * once, as all others do.
+ * Handles Ctrl-C and the signal that ends services as a request to finish. The second signal ends the program at once,
+ * as all others do.
  *
- * <p>Java has no supported way to this but a shutdown hook, which can neither finish in order nor set the exit code.
- * The class {@code sun.misc.Signal} is in every Java, but a compiler warns of it; so it is called by its name.
+ * <p>The only supported way in Java is a shutdown hook, which can neither finish in order nor set the exit code. The
+ * class {@code sun.misc.Signal} is in every Java, but compilers warn about it. Therefore, it is called by reflection.
  */
 final class StopSignals implements AutoCloseable {
     private static final String[] NAMES = {"INT", "TERM"};
@@ -22,7 +22,7 @@ final class StopSignals implements AutoCloseable {
     }
 
     /**
-     * Takes the signals until closed.
+     * Handles the signals until the result is closed.
      *
      * @param finish called once, on a thread of its own
      */
@@ -69,7 +69,7 @@ final class StopSignals implements AutoCloseable {
             .invoke(null, signal, handler);
     }
 
-    /** Gives the signals back. */
+    /** Restores the handlers that were there before. */
     @Override
     public void close() {
         handlersBefore.forEach((signal, handler) -> {

@@ -8,13 +8,16 @@ import io.github.sofas.flow.FlowOutput;
 import java.io.Closeable;
 import java.nio.file.Path;
 
-/** Labels that {@code run} wrote, read beside the recording, whose events they must be, one by one. */
+/**
+ * Labels that {@code run} wrote, read together with the recording. Each label must belong to the recording's next
+ * event.
+ */
 final class StoredLabels implements Closeable {
     private final String name;
     private final String recordingName;
     private final FlowCsvReader labels;
     private final EventSource recording;
-    /** Events of the recording, of which some have met their labels. */
+    /** Events of the recording; the first {@link #met} of them have met their labels. */
     private final EventBatch events;
     private int met;
     private long eventsBefore;
@@ -32,8 +35,8 @@ final class StoredLabels implements Closeable {
      *
      * @param file as {@code run} wrote it
      * @param source of the recording's events; the caller closes it
-     * @param batch events that are read at once
-     * @throws EventSourceException where the file cannot be read or holds no labels
+     * @param batch number of events that are read at once
+     * @throws EventSourceException if the file cannot be read or holds no labels
      */
     static StoredLabels open(Path file, Path recording, EventSource source, int batch) throws EventSourceException {
         return new StoredLabels(file.getFileName().toString(), FlowCsvReader.open(file),
@@ -41,10 +44,10 @@ final class StoredLabels implements Closeable {
     }
 
     /**
-     * Clears the batch and fills it, and the labels beside it, with those that follow.
+     * Clears the batch, and fills it and the labels with the events that follow.
      *
-     * @return false where labels and recording are at their end
-     * @throws EventSourceException where the labels are not of the recording's events, or where either is damaged
+     * @return false if labels and recording are at their end
+     * @throws EventSourceException if the labels are not those of the recording's events, or if either is damaged
      */
     boolean next(EventBatch batch, FlowOutput flow) throws EventSourceException {
         boolean hasLabels = labels.next(batch, flow);
@@ -77,7 +80,7 @@ final class StoredLabels implements Closeable {
         return recording.next(events);
     }
 
-    /** Of the event that is to meet its label, counted from 0. */
+    /** Number of the event that meets its label next, counted from 0. */
     private long number() {
         return eventsBefore + met;
     }

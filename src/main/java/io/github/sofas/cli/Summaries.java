@@ -17,22 +17,24 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** How a run is summed up: what a reader met, in the words of the results, and the files that are written last. */
+/**
+ * Sums up a run: translates the counts of a reader into the words of the results, and writes the files that come last.
+ */
 final class Summaries {
     private Summaries() {
     }
 
     /**
-     * Sums up a recording that was read as far as it goes.
+     * Sums up a recording that was read as far as possible.
      *
-     * @param recording as the summary names it
-     * @param damage why it could not be read to its end; null where it was
+     * @param recording name of the recording in the summary
+     * @param damage why it could not be read to its end; null if it was
      */
     static RecordingSummary of(String recording, RecordingReader reader, EventSourceException damage) {
         return of(recording, reader, damage, List.of());
     }
 
-    /** The same, with notes beside the reader's own. */
+    /** The same with notes in addition to the reader's own. */
     static RecordingSummary of(String recording, RecordingReader reader, EventSourceException damage,
                                List<String> notes) {
         List<String> allNotes = new ArrayList<>(notes);
@@ -62,7 +64,7 @@ final class Summaries {
             allNotes, counts.doubtfulShare());
     }
 
-    /** DVS events that were in the file and not delivered, by reason. */
+    /** Number of DVS events that were in the file but not delivered, by reason. */
     static Map<String, Long> dropped(RecordingCounts counts) {
         Map<String, Long> dropped = new LinkedHashMap<>();
         dropped.put("invalid", counts.invalid());
@@ -71,7 +73,10 @@ final class Summaries {
         return dropped;
     }
 
-    /** The sum over the parts of the heap, so at least the true peak: the parts need not have peaked together. */
+    /**
+     * Peak use of the heap, summed over its parts. The sum is at least the true peak: the parts need not have peaked
+     * together.
+     */
     static long peakHeapBytes() {
         long peak = 0;
         for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
@@ -83,9 +88,10 @@ final class Summaries {
     }
 
     /**
-     * Writes what is known only at the end; the summary last, whose presence shows that the others are complete.
+     * Writes the results that are known only at the end. The summary comes last: its presence shows that the others are
+     * complete.
      *
-     * @throws IOException where it cannot be written
+     * @throws IOException if they cannot be written
      */
     static void write(RunSummary summary, ResultFiles results, ResultNames names) throws IOException {
         try (OutputStream file = results.create(names.segments())) {

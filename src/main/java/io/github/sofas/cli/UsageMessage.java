@@ -6,7 +6,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 
-/** What is wrong with an argument, said as everywhere: the option, the rule, the value. */
+/** Messages about wrong arguments in the form that all messages have: the option, the rule, the value. */
 final class UsageMessage {
     private static final Set<Class<?>> WHOLE = Set.of(int.class, Integer.class, long.class, Long.class);
     private static final Set<Class<?>> REAL = Set.of(double.class, Double.class);
@@ -14,7 +14,7 @@ final class UsageMessage {
     private UsageMessage() {
     }
 
-    /** The message of what was thrown; of a value of the wrong type, in our words. */
+    /** The message of an exception; in our words if a value has the wrong type. */
     static String of(ParameterException thrown) {
         ArgSpec argument = thrown.getArgSpec();
         String rule = thrown.getCause() instanceof TypeConversionException && argument instanceof OptionSpec
@@ -23,9 +23,9 @@ final class UsageMessage {
             : ((OptionSpec) argument).longestName() + " must be " + rule + " but was \"" + thrown.getValue() + "\"";
     }
 
-    /** What values of an option must be; null where there is no word for it. */
+    /** What the values of an option must be; null if there is no word for it. */
     private static String rule(ArgSpec option) {
-        // of a list, that of what is in it
+        // for a list, the type of its elements
         Class<?>[] types = option.auxiliaryTypes();
         if (option.completionCandidates() != null) {
             return "one of " + String.join(", ", option.completionCandidates());

@@ -17,19 +17,22 @@ import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Labels simulated scenes with as many events as a camera has at its busiest, and forgets them. A Java that has just
- * started is ten times slower, and a camera does not wait until it has compiled what it runs. Each scene begins with an
- * engine that has seen nothing, as the camera's does: what was compiled for structures that are followed would be
- * thrown away at the first events of a stream.
+ * Warms up the engine before a live stream: labels simulated scenes with as many events as a camera has at its busiest,
+ * and forgets them. A Java that has just started is ten times slower, and a camera does not wait until the code is
+ * compiled. Each scene begins with an engine that has seen nothing, as the camera's does. Code that was compiled only
+ * for tracked structures would be discarded at the first events of a stream.
  */
 final class WarmUp {
-    /** After less, some of the engine is not compiled yet, and a first structure takes four times as long to find. */
+    /**
+     * Number of scenes. After fewer, parts of the engine are not compiled yet, and finding a first structure takes four
+     * times as long.
+     */
     private static final int ROUNDS = 12;
     private static final long EVENTS = 150_000;
     private static final List<Scene> SCENES = List.of(Scene.FOUR_BARS, Scene.HEXAGON, Scene.THREE_CROSSING);
     private static final double SPEED_PX_PER_S = 300;
     private static final double THRESHOLD = 0.05;
-    /** For methods that need far longer for so many. */
+    /** Longest warm-up, for methods that need far longer for so many events. */
     private static final long MOST_NS = 4_000_000_000L;
     private static final int BATCH = 2048;
     private static final long COMPILER_PAUSE_NS = 150_000_000;
@@ -62,11 +65,11 @@ final class WarmUp {
             }
         }
         awaitCompiler();
-        // Now, not under the first events; from here on next to nothing is allocated.
+        // Now, not during the first events; from here on, next to nothing is allocated.
         System.gc();
     }
 
-    /** Waits until nothing more is compiled, for a while. */
+    /** Waits until nothing is compiled for a while. */
     private static void awaitCompiler() {
         CompilationMXBean compiler = ManagementFactory.getCompilationMXBean();
         if (compiler == null || !compiler.isCompilationTimeMonitoringSupported()) {

@@ -6,7 +6,9 @@ import io.github.sofas.flow.Labelling;
 import io.github.sofas.flow.Segment;
 import java.util.List;
 
-/** Labels as another does, and says after each batch how far it is. */
+/**
+ * Labels as another labelling does, and runs an action after each batch that was added, such as a display of progress.
+ */
 record WatchedLabelling(Labelling labelling, Runnable afterBatch) implements Labelling {
     @Override
     public void add(EventBatch batch) {

@@ -23,26 +23,26 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Whether the addresses of an AEDAT 1.0 or 2.0 recording can be those of a chip. Nothing in such a file says how its
- * addresses are packed, and with the wrong chip half of them are still events somewhere. What gives a wrong chip away
- * are special events by the thousand, words of IMU samples in an order that no camera sends, pixels outside the sensor
- * or all in one row, and a polarity that never comes.
+ * Checks whether the addresses of an AEDAT 1.0 or 2.0 recording can be those of a chip. Such a file does not state how
+ * its addresses are packed, and a wrong chip still decodes half of them as events somewhere. Signs of a wrong chip are
+ * thousands of special events, words of IMU samples in an order that no camera sends, pixels outside the sensor or all
+ * in one row, and a polarity that never occurs.
  */
 final class AddressCheck {
     private static final int BLOCKS = 64;
     private static final int BLOCK_RECORDS = 1024;
-    /** Fewer records show nothing. */
+    /** Fewer records than this prove nothing. */
     private static final int FEWEST = 20;
-    /** From so many events on, it is no chance that all have one polarity, or leave out a part of the sensor. */
+    /** From this number of events on, a single polarity or an unused part of the sensor is no coincidence. */
     private static final int MANY = 1000;
     private static final double MOST_STRANGE = 0.1;
     private static final double MOST_SPECIAL = 0.25;
-    /** One chip of each layout and size, the one that most people have. */
+    /** One chip for each layout and size: the most common one. */
     private static final List<String> CANDIDATES = List.of("DVS128", "DAVIS240C", "Davis346red", "Davis128",
         "Davis640");
 
     private final int[] addresses;
-    /** Where blocks begin that do not follow on the one before. */
+    /** Marks the first record of each block, which need not follow on the record before it. */
     private final boolean[] begins;
     private final int count;
     private final int stepsBack;
@@ -57,10 +57,10 @@ final class AddressCheck {
     }
 
     /**
-     * Looks at records from all over a file, whose first record comes next, and goes back to that.
+     * Samples records from the whole file and checks them. The file must be at its first record and is left there.
      *
-     * @throws MalformedRecordingException where the records cannot be those of the chip, with the one that they look
-     *     like
+     * @throws MalformedRecordingException where the records cannot be those of the chip; the message names the chip
+     *     that they look like, if there is one
      */
     static void check(RecordingFile file, int recordBytes, Chip chip) throws IOException, MalformedRecordingException {
         AddressCheck sample = sample(file, recordBytes);
@@ -127,7 +127,7 @@ final class AddressCheck {
         return null;
     }
 
-    /** What no recording with this chip has; null for nothing. */
+    /** Names a property that no recording with this chip has; null where the sample shows none. */
     private String strongReason(Chip chip) {
         return chip.layout() == Chip.AddressLayout.DVS128 ? strongReasonDvs128() : strongReasonDavis(chip);
     }
@@ -190,7 +190,10 @@ final class AddressCheck {
         return events >= FEWEST && inFirstRow == events ? "all pixels are in one row" : null;
     }
 
-    /** What is unlikely with this chip: it counts where another has nothing of the kind; null for nothing. */
+    /**
+     * Names a property that is unlikely with this chip; null where the sample shows none. The property counts only
+     * where another chip fits without one.
+     */
     private String weakReason(Chip chip) {
         boolean isDvs128 = chip.layout() == Chip.AddressLayout.DVS128;
         int events = 0;
@@ -214,7 +217,10 @@ final class AddressCheck {
         return isDvs128 ? null : smallerChip(chip, mostX, mostY);
     }
 
-    /** Noise comes from all over a sensor: events that end where another sensor does are of that one. */
+    /**
+     * Names another sensor whose size the events fill exactly; null for none. Noise comes from all over a sensor, so
+     * such events come from the other one.
+     */
     private static String smallerChip(Chip chip, int mostX, int mostY) {
         for (Chip other : Chip.known()) {
             if (other.layout() == chip.layout() && other.sensor().width() == mostX + 1

@@ -29,15 +29,16 @@ import io.github.sofas.event.EventBatch;
 import java.io.IOException;
 
 /**
- * Reads AEDAT 2.0, and AEDAT 1.0, which differs by its 16-bit addresses only. Holds one file buffer.
+ * Reads AEDAT 2.0 and AEDAT 1.0, which differs only by its 16-bit addresses. Delivers change events; counts triggers,
+ * intensity samples and IMU samples, and passes frames and IMU samples to their receivers. Holds one file buffer.
  *
- * <p>Time: a step from a positive to a zero or negative time is an overflow, as in jAER; any other step back is one.
- * Recordings that lie wholly in negative time stay there.
+ * <p>Time: a step from a positive to a zero or negative time is an overflow, as in jAER. Any other step back is a true
+ * step back. Recordings that lie wholly in negative time stay there.
  */
 final class Aedat2Reader extends RecordingReader {
-    /** Stands for the next code after a spoiled IMU sample, whose rest is passed over. */
+    /** Value of {@link #nextImuCode} after a damaged IMU sample, whose remaining words are skipped. */
     private static final int SKIP_TO_NEXT_IMU = -1;
-    /** How far an event may have been overtaken by an overflow of time and still be recognised. */
+    /** Greatest delay, in µs, at which an event from before an overflow is still recognised after the overflow. */
     private static final long STRAGGLER_US = 1_000_000;
 
     private final int recordBytes;
@@ -46,7 +47,7 @@ final class Aedat2Reader extends RecordingReader {
     private int nextImuCode;
     /** The words of the IMU sample so far. */
     private final short[] imuWords = new short[IMU_WORDS];
-    /** Made with the first sample of a frame that someone wants. */
+    /** Created at the first intensity sample for which there is a receiver of frames. */
     private ApsFrames apsFrames;
 
     Aedat2Reader(RecordingFile file, RecordingOptions options, String formatName, int recordBytes, String chipName,
@@ -211,7 +212,7 @@ final class Aedat2Reader extends RecordingReader {
         if (step < 0 && fromUs > 0 && toUs <= 0) {
             return step + WRAP_US;
         }
-        // an event of before the overflow that came after it
+        // an event from before the overflow that comes after it
         return step >= WRAP_US - STRAGGLER_US && timeWraps() > 0 ? step - WRAP_US : step;
     }
 }

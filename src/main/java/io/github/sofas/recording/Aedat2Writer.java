@@ -23,9 +23,9 @@ import java.nio.file.Path;
 /**
  * Writes change events as AEDAT 2.0, which jAER and most tools read.
  *
- * <p>The file is whole only after {@link #close()} has returned. Times are written in 32 bits and overflow as jAER's
- * do: a reader that undoes overflows gives the same times back up to a multiple of 2^32 µs (none where the first time
- * fits into 32 bits), as long as no two events in turn lie more than 2^31 µs apart.
+ * <p>The file is complete only after {@link #close()} has returned. Times are written in 32 bits and overflow as those
+ * of jAER do. A reader that undoes overflows restores the times up to a multiple of 2^32 µs, which is zero where the
+ * first time fits into 32 bits. This holds as long as no two successive events lie more than 2^31 µs apart.
  */
 public final class Aedat2Writer implements Closeable {
     private static final String HEADER = "#!AER-DAT2.0\r\n"
@@ -42,10 +42,10 @@ public final class Aedat2Writer implements Closeable {
     private long events;
 
     /**
-     * Makes or replaces the file and writes the header.
+     * Creates or replaces the file and writes the header.
      *
-     * @param path gets the recording; replaced where it exists
-     * @param chip of the events
+     * @param path file that gets the recording; replaced where it exists
+     * @param chip chip that the events come from
      * @throws IOException where the file cannot be written
      */
     public Aedat2Writer(Path path, Chip chip) throws IOException {
@@ -56,8 +56,8 @@ public final class Aedat2Writer implements Closeable {
      * Writes the header to a stream, which {@link #close()} closes.
      *
      * @param stream gets the recording; closed with the writer
-     * @param chip of the events
-     * @throws IOException where it cannot be written
+     * @param chip chip that the events come from
+     * @throws IOException where the stream cannot be written
      */
     public Aedat2Writer(OutputStream stream, Chip chip) throws IOException {
         this.chip = chip;
@@ -71,8 +71,8 @@ public final class Aedat2Writer implements Closeable {
      * Appends the events of a batch.
      *
      * @param batch the events
-     * @throws IllegalArgumentException where an event lies outside the chip's sensor or before the one that precedes
-     *     it; the events before it are written
+     * @throws IllegalArgumentException where an event lies outside the chip's sensor, or before the preceding event in
+     *     time; the events before the offending one are written
      * @throws IOException where the file cannot be written
      */
     public void write(EventBatch batch) throws IOException {
@@ -115,24 +115,24 @@ public final class Aedat2Writer implements Closeable {
     }
 
     /**
-     * Writes what is buffered: whole records.
+     * Writes all buffered data, which consists of whole records.
      *
-     * @throws IOException where it cannot be written
+     * @throws IOException where the data cannot be written
      */
     public void flush() throws IOException {
         out.flush();
     }
 
     /**
-     * {@return how much of a file that could not be written on is whole}
+     * Length of the intact part of a file that could not be written to its end: the header and whole records.
      *
-     * @param bytes that it has
+     * @param bytes length of the file, in bytes
      */
     public long wholeBytes(long bytes) {
         return Math.max(headerBytes, bytes - (bytes - headerBytes) % RECORD_BYTES_2);
     }
 
-    /** Writes what is buffered and closes the file. */
+    /** Writes all buffered data and closes the file. */
     @Override
     public void close() throws IOException {
         out.close();

@@ -5,8 +5,8 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * AEDAT 3.0 and 3.1, as cAER and jAER write them: header lines up to {@code #!END-HEADER}, then packets, little-endian,
- * of a header and events of one type and size. x runs right, y down.
+ * Constants of AEDAT 3.0 and 3.1, as cAER and jAER write them. A file has header lines up to {@code #!END-HEADER}, then
+ * little-endian packets, each with a header and events of one type and size. x runs right, y down.
  *
  * <p>Source: inivation's AEDAT 3.1 specification; the bit fields of 3.0 from jAER (SensorsINI/jaer a1db449505).
  */
@@ -14,10 +14,10 @@ final class Aedat3Format {
     static final VarHandle SHORT = MethodHandles.byteArrayViewVarHandle(short[].class, ByteOrder.LITTLE_ENDIAN);
     static final VarHandle INT = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
 
-    /** The only encoding of packets that is served; others compress times or frames. */
+    /** The only supported encoding of packets; other encodings compress times or frames. */
     static final String RAW = "RAW";
 
-    /** A packet's header: type, source (16 bits each), then seven numbers of 32 bits, of which five are read. */
+    /** A packet's header: type, source (16 bits each), then six numbers of 32 bits, of which four are read. */
     static final int PACKET_HEADER_BYTES = 28;
     static final int SOURCE_AT = 2;
     static final int EVENT_BYTES_AT = 4;
@@ -31,7 +31,7 @@ final class Aedat3Format {
     static final int IMU6 = 3;
     static final int IMU9 = 4;
 
-    /** Word and time of a polarity event. */
+    /** Bytes of a polarity event: a word and a time. */
     static final int POLARITY_BYTES = 8;
     static final int VALID = 1;
     static final int ON_SHIFT = 1;
@@ -42,7 +42,7 @@ final class Aedat3Format {
     static final int X_SHIFT_30 = 18;
     static final int MASK_30 = 0x3FFF;
 
-    /** Bits of time in an event; the packet's overflow counts what passes them. */
+    /** Bits of time in an event; the overflow number of the packet counts beyond them. */
     static final int TIME_BITS = 31;
 
     private Aedat3Format() {

@@ -28,8 +28,8 @@ import io.github.sofas.event.EventBatch;
 import java.io.IOException;
 
 /**
- * Reads AEDAT 3.0 and 3.1. Holds one file buffer; packets are decoded as they come and never held whole. Of several
- * sources the first that the header declares is read.
+ * Reads AEDAT 3.0 and 3.1. Holds one file buffer: packets are decoded as they come and never held whole. Where the
+ * header declares several sources, only events of the first one are delivered.
  */
 final class Aedat3Reader extends RecordingReader {
     private static final int ANY_SOURCE = -1;
@@ -45,7 +45,7 @@ final class Aedat3Reader extends RecordingReader {
     private int timePlace;
     private long overflowUs;
 
-    /** Makes a reader at the first packet; a null source takes the packets of all. */
+    /** Makes a reader at the first packet; a null source accepts the packets of all sources. */
     Aedat3Reader(RecordingFile file, RecordingOptions options, String version, Integer source, ChipChoice choice) {
         super(file, options, "AEDAT " + version, choice.name(), choice.sensor());
         this.source = source == null ? ANY_SOURCE : source;
@@ -115,7 +115,7 @@ final class Aedat3Reader extends RecordingReader {
         return n;
     }
 
-    /** Reads a packet's header, and passes over the packet if it holds no events for us. */
+    /** Reads a packet's header, and skips the packet unless it holds polarity events of the selected source. */
     private boolean readPacketHeader(int n) throws IOException, MalformedRecordingException {
         if (!file.require(PACKET_HEADER_BYTES)) {
             if (file.available() == 0) {

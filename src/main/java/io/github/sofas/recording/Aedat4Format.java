@@ -5,10 +5,11 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * AEDAT 4.0, as DV and dv-processing write it, little-endian throughout: a magic line; a FlatBuffer {@code IOHE} with
- * compression, place of the data table and an XML text that declares the streams; packets of stream id, size and
- * payload; the data table {@code FTAB}, missing where recording was cut short. A payload, once unpacked, is a
- * FlatBuffer with a length prefix. x runs right, y down.
+ * Constants of AEDAT 4.0, as DV and dv-processing write it, little-endian throughout. A file consists of a magic line,
+ * the FlatBuffer {@code IOHE}, packets, and the data table {@code FTAB}. {@code IOHE} holds the compression, the place
+ * of the data table and an XML text that declares the streams. A packet holds a stream id, a size and a payload. Once
+ * unpacked, a payload is a FlatBuffer with a length prefix. The data table is missing where recording was cut short. x
+ * runs right, y down.
  *
  * <p>Source: gitlab.com/inivation/dv/dv-processing, include/dv-processing/io and data.
  */
@@ -17,7 +18,7 @@ final class Aedat4Format {
     static final VarHandle LONG = MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
 
     static final int MAGIC_BYTES = 14;
-    /** Place of a root table's offset and identifier in a FlatBuffer, from its length prefix. */
+    /** Places of the root table's offset and of the identifier in a FlatBuffer, counted from its length prefix. */
     static final int ROOT_AT = 4;
     static final int IDENTIFIER_AT = 8;
     static final int IDENTIFIER_BYTES = 4;
@@ -33,7 +34,7 @@ final class Aedat4Format {
     static final int HEADER_COMPRESSION = 4;
     static final int HEADER_DATA_TABLE = 6;
     static final int HEADER_XML = 8;
-    /** The one field of the payloads' tables and of FTAB: a vector. */
+    /** The only field of the payloads' tables and of FTAB: a vector. */
     static final int ELEMENTS = 4;
     /** Fields of an entry of FTAB. */
     static final int ENTRY_PACKET = 6;
@@ -47,7 +48,7 @@ final class Aedat4Format {
     static final int FRAME_LEFT = 20;
     static final int FRAME_TOP = 22;
     static final int FRAME_PIXELS = 24;
-    /** Formats of a frame, OpenCV's codes: one byte a pixel; blue, green and red; the same and opacity. */
+    /** Formats of a frame, as OpenCV's codes: one byte per pixel; blue, green and red; the same with opacity. */
     static final int FORMAT_GREY = 0;
     static final int FORMAT_BGR = 16;
     static final int FORMAT_BGRA = 24;
@@ -57,7 +58,7 @@ final class Aedat4Format {
     static final int EVENT_PIXEL_AT = 8;
     static final int EVENT_POLARITY_AT = 12;
 
-    /** Larger ones are refused, so that a size that lies costs no more memory than this; recorders stay far below. */
+    /** Largest accepted sizes, so that a false size costs no more memory than this; recorders stay far below. */
     static final int MAX_HEADER_BYTES = 4 << 20;
     static final int MAX_PACKED_BYTES = 128 << 20;
     static final int MAX_UNPACKED_BYTES = 128 << 20;

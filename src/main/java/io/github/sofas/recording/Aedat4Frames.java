@@ -17,16 +17,16 @@ import static io.github.sofas.recording.Aedat4Format.ROOT_AT;
 import io.github.sofas.event.GreyFrame;
 import io.github.sofas.event.SensorSize;
 
-/** Decodes the frames of AEDAT 4.0. */
+/** Decodes the frames of AEDAT 4.0 into grey levels on the sensor's pixel array. */
 final class Aedat4Frames {
     private Aedat4Frames() {
     }
 
     /**
-     * A frame of the sensor's size; what the packet does not cover of it stays dark.
+     * Returns a frame of the sensor's size; pixels that the packet does not cover stay dark.
      *
      * @param bytes the packet, unpacked
-     * @throws MalformedFrameException where it is no frame, or not one that is served
+     * @throws MalformedFrameException where the packet holds no frame, or one that is not supported
      */
     static GreyFrame decode(byte[] bytes, int length, SensorSize sensor) throws MalformedFrameException {
         if (!FlatTable.hasIdentifier(bytes, IDENTIFIER_AT, length, FRAMES)) {
@@ -66,12 +66,12 @@ final class Aedat4Frames {
         }
     }
 
-    /** Brightness as ITU-R BT.601 weighs it. */
+    /** Brightness with the weights of ITU-R BT.601. */
     private static byte grey(int blue, int green, int red) {
         return (byte) (29 * blue + 150 * green + 77 * red >> 8);
     }
 
-    /** A frame cannot be had; the message is the rule that it breaks. No event is lost by it. */
+    /** A frame cannot be decoded; the message is the rule that it breaks. No event is lost. */
     static final class MalformedFrameException extends Exception {
         private static final long serialVersionUID = 1L;
 

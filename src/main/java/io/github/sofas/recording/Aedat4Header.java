@@ -23,16 +23,17 @@ import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 
 /**
- * What an AEDAT 4.0 file says before its packets.
+ * The header of an AEDAT 4.0 file. It precedes the packets and declares how they are packed and which streams they
+ * belong to.
  *
  * @param compression how payloads are packed
  * @param dataTableAt where the data table starts; -1 where recording was cut short
- * @param streams the streams declared, by id, in the order of the file
+ * @param streams the declared streams by id, in the order of the file
  */
 record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stream> streams) {
 
     /**
-     * A stream.
+     * A declared stream.
      *
      * @param type its identifier, such as EVTS
      * @param source camera and serial number, or null
@@ -40,13 +41,13 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
      * @param height rows as written; null where absent
      */
     record Stream(String type, String source, String width, String height) {
-        /** The camera's name: what precedes the serial number in the source. */
+        /** The camera's name, which precedes the serial number in the source; null where there is no source. */
         String chip() {
             return source == null || source.isBlank() ? null : source.replaceFirst("_.*", "");
         }
     }
 
-    /** Of the declarations' XML, which is walked by recursion; recorders nest four deep. */
+    /** Greatest depth of the declarations' XML, because recursion walks it; recorders nest four levels deep. */
     private static final int MAX_DEPTH = 64;
 
     /** Reads the header and leaves the file at the first packet. */
@@ -127,7 +128,7 @@ record Aedat4Header(Compression compression, long dataTableAt, Map<Integer, Stre
         return streams;
     }
 
-    /** The first node of a name at any depth, in the order of the text. */
+    /** The first node with a name, at any depth, in the order of the text. */
     private static Element find(Element parent, String name) {
         for (Node child = parent.getFirstChild(); child != null; child = child.getNextSibling()) {
             if (child instanceof Element element && element.getTagName().equals("node")) {

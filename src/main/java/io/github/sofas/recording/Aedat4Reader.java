@@ -28,10 +28,11 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Reads AEDAT 4.0. Holds the file buffer and one packet packed and unpacked; recorders' packets stay below a few MiB,
- * and ones of more than 128 MiB, packed or unpacked, are refused.
+ * Reads AEDAT 4.0. Holds the file buffer and one packet, packed and unpacked. Packets of recorders stay below a few
+ * MiB; packets of more than 128 MiB, packed or unpacked, are refused.
  *
- * <p>Places in messages are those of the packet that holds the event. Of several streams of events the first is read.
+ * <p>The byte in a message is that of the packet that holds the event. Where a file has several streams of events, only
+ * the first is read.
  */
 final class Aedat4Reader extends RecordingReader {
     private final Aedat4Header header;
@@ -46,7 +47,7 @@ final class Aedat4Reader extends RecordingReader {
     private long packetOffset;
     private int nextEventAt;
     private int eventsLeft;
-    /** What is wrong behind the packet's last whole event. */
+    /** The fault after the packet's last whole event; null where there is none. */
     private String packetFault;
 
     Aedat4Reader(RecordingFile file, RecordingOptions options, Aedat4Header header, int eventStream, ChipChoice choice)
@@ -183,7 +184,7 @@ final class Aedat4Reader extends RecordingReader {
         return true;
     }
 
-    /** No event is lost by a spoiled frame, and the next packet's place is known. */
+    /** Delivers the frame just unpacked. A damaged frame costs no events, and the next packet's place is known. */
     private void deliverFrame(int id, int n, boolean isCut) {
         String fault = unpacker.fault();
         if (fault == null) {
@@ -199,12 +200,15 @@ final class Aedat4Reader extends RecordingReader {
         }
     }
 
-    /** A packet that does not fit was cut off with the file, unless the data table follows it. */
+    /**
+     * The word for a packet that does not fit: malformed where the data table follows it, else truncated, since it was
+     * cut off with the file.
+     */
     private String endWord() {
         return packetsEnd == header.dataTableAt() ? "malformed" : "truncated";
     }
 
-    /** Finds the elements of the packet just unpacked; events are then delivered, others only counted. */
+    /** Finds the elements of the packet just unpacked. Events are then delivered; other elements are only counted. */
     private void openPacket(int id, String type, int n, boolean isCut) {
         byte[] bytes = unpacker.output();
         int length = unpacker.length();
@@ -252,7 +256,7 @@ final class Aedat4Reader extends RecordingReader {
         }
     }
 
-    /** Looks at what follows the packets. */
+    /** Checks the data table that the header announces to follow the packets. */
     private void finish(int n) throws IOException, MalformedRecordingException {
         long tableAt = header.dataTableAt();
         if (tableAt > packetsEnd) {
@@ -275,7 +279,7 @@ final class Aedat4Reader extends RecordingReader {
         }
     }
 
-    /** Compares the data table with the events read; null where they agree. */
+    /** Compares the data table with the events read; returns null where they agree. */
     private String tableFault(byte[] bytes, int length, long found) {
         if (!FlatTable.hasIdentifier(bytes, IDENTIFIER_AT, length, DATA_TABLE)) {
             return "malformed, it must have the identifier " + DATA_TABLE + " but had another";

@@ -8,14 +8,15 @@ import java.util.regex.Pattern;
 /**
  * The header lines of AEDAT 1.0, 2.0 and 3.x.
  *
- * <p>AEDAT 3.x and recorders since 2018 end it with a line of its own; older files do not. There it ends with the first
- * line that does not start with {@code #}, but data may start with that byte too: what looks like a line and holds a
- * control character is data, unless the header's last line comes later or nearly all else in it is text.
+ * <p>AEDAT 3.x and recorders since 2018 end the header with an end line; older files do not. An older header ends
+ * before the first line that does not start with {@code #}. Data may start with that byte too, so an apparent line with
+ * a control character is taken for data. It still counts as a line of the header where an end line comes later, or
+ * where nearly all else in it is text.
  *
- * @param chip what the AEChip line (1.0, 2.0) or the first Source line (3.x) says, or null
+ * @param chip chip named by the AEChip line (1.0, 2.0) or the first Source line (3.x), or null
  * @param source the number of the first Source line, or null
- * @param encoding what the Format line of 3.x says, or null
- * @param hasEndLine whether the line was met that ends it
+ * @param encoding encoding named by the Format line of 3.x, or null
+ * @param hasEndLine whether the end line was met
  */
 record AedatHeader(String chip, Integer source, String encoding, boolean hasEndLine) {
     private static final Pattern CHIP = Pattern.compile("#\\s*AEChip:\\s*(\\S+).*", Pattern.CASE_INSENSITIVE);
@@ -23,12 +24,12 @@ record AedatHeader(String chip, Integer source, String encoding, boolean hasEndL
     private static final Pattern ENCODING = Pattern.compile("#Format:\\s*(\\S+).*", Pattern.CASE_INSENSITIVE);
     private static final Pattern END = Pattern.compile("#(\\s*End Of ASCII Header|!END-HEADER)",
             Pattern.CASE_INSENSITIVE);
-    /** The start of a line that is kept; the lines that mean something are shorter. */
+    /** Bytes that are kept from the start of a line; the lines that mean something are shorter. */
     private static final int KEPT_BYTES = 512;
 
-    /** Lines of a header are few; records hold line feeds by chance. */
+    /** Lines in which the end line is searched. A header has few lines; records hold line feeds by chance. */
     private static final int MOST_LINES_AHEAD = 2000;
-    /** Shorter lines may be records that look like text by chance. */
+    /** Lines shorter than this may be records that look like text by chance. */
     private static final int FEWEST_TEXT = 16;
     private static final double MOSTLY = 0.8;
 
@@ -86,8 +87,8 @@ record AedatHeader(String chip, Integer source, String encoding, boolean hasEndL
     }
 
     /**
-     * Whether a line that holds a control character is of the header all the same: the header's last line comes later,
-     * or nearly all of the line is text. Goes back to where it was.
+     * Whether a line that holds a control character belongs to the header all the same: the end line comes later, or
+     * nearly all of the line is text. Leaves the file where it was.
      */
     private static boolean isText(RecordingFile file, long lineOffset) throws IOException {
         long here = file.offset();

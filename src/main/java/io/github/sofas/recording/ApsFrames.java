@@ -14,12 +14,12 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Puts together the frames of a DAVIS from samples of single pixels: each is read after its reset and again after its
- * exposure, and the difference is its brightness. A frame is whole when every pixel was read again; one of which
- * samples are missing ends where the next one begins.
+ * Assembles the frames of a DAVIS from samples of single pixels. Each pixel is read after its reset and again after its
+ * exposure; the difference is its brightness. A frame is complete when every pixel was read after its exposure. A frame
+ * with missing samples ends where the next one begins.
  */
 final class ApsFrames {
-    /** From the 10 bits of a sample to 8. */
+    /** Shift from the 10 bits of a sample to the 8 bits of a level. */
     private static final int SHIFT = 2;
 
     private final SensorSize sensor;
@@ -39,9 +39,9 @@ final class ApsFrames {
         isRead = new boolean[pixels];
     }
 
-    /** Takes a sample; one outside the sensor is passed over. */
+    /** Takes a sample; a sample outside the sensor is skipped. */
     void take(int address, long sampleTimeUs) {
-        // other than for events, raw x runs from left to right
+        // unlike that of events, raw x runs from left to right
         int x = address >>> DAVIS_X_SHIFT & DAVIS_X_MASK;
         int y = sensor.height() - 1 - (address >>> DAVIS_Y_SHIFT & DAVIS_Y_MASK);
         if (!sensor.contains(x, y)) {

@@ -16,12 +16,12 @@ import net.jpountz.lz4.LZ4Factory;
 import net.jpountz.lz4.LZ4SafeDecompressor;
 
 /**
- * Unpacks Blosc 1 chunks of HDF5 (filter 32001) that were packed by LZ4, zlib or Zstandard, with bytes or bits shuffled
- * or not. Safe for many threads.
+ * Unpacks Blosc 1 chunks of HDF5 (filter 32001) that were packed by LZ4, zlib or Zstandard, with shuffled bytes,
+ * shuffled bits or neither. Safe for many threads.
  *
- * <p>A chunk is a header of 16 bytes, the place of each block, and the blocks, each in one part, or in one for each
- * byte of an element. Source: c-blosc, {@code README_CHUNK_FORMAT.rst}. Own code because the only library on Maven
- * Central (com.scalableminds:blosc-java) has machine code for one processor and is not kept.
+ * <p>A chunk consists of a header of 16 bytes, the place of each block, and the blocks. A block has one part, or one
+ * part for each byte of an element. Source: c-blosc, {@code README_CHUNK_FORMAT.rst}. This is own code because the only
+ * library on Maven Central (com.scalableminds:blosc-java) has machine code for one processor and is not maintained.
  */
 final class BloscFilter implements Filter {
     private static final int ID = 32001;
@@ -137,7 +137,10 @@ final class BloscFilter implements Filter {
         }
     }
 
-    /** The first bytes of all elements lie before all second ones, and so on; what makes no whole element is last. */
+    /**
+     * Undoes the shuffling of bytes: the first bytes of all elements precede all second bytes, and so on. Bytes that
+     * make no whole element come last, as they are.
+     */
     private static void unshuffleBytes(byte[] shuffled, byte[] target, int from, int length, int element) {
         int count = length / element;
         int source = 0;
@@ -149,7 +152,10 @@ final class BloscFilter implements Filter {
         System.arraycopy(shuffled, source, target, from + source, length - source);
     }
 
-    /** The first bits of all elements lie before all second ones, and so on; their number makes whole bytes. */
+    /**
+     * Undoes the shuffling of bits: the first bits of all elements precede all second bits, and so on. The number of
+     * elements is a multiple of 8, so that these bits fill whole bytes.
+     */
     private static void unshuffleBits(byte[] shuffled, byte[] target, int from, int length, int element) {
         int count = length / element;
         int rowBytes = count / Byte.SIZE;

@@ -9,10 +9,10 @@ import java.util.Optional;
 /**
  * A sensor that recordings name: its size and how AEDAT 1 and 2 pack its addresses.
  *
- * @param name what recordings call it: the simple name of its class in jAER
+ * @param name its name in recordings: the simple name of its class in jAER
  * @param jaerPackage package of that class, written into AEDAT 2 headers
  * @param sensor its pixel array
- * @param layout how an address of AEDAT 1 and 2 is made up
+ * @param layout layout of its addresses in AEDAT 1 and 2
  */
 public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLayout layout) {
 
@@ -43,14 +43,17 @@ public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLa
             davis("Davis128", 128, 128),
             davis("Davis640", 640, 480));
 
-    /** What cameras and AEDAT 3 and 4 call a whole family; its members differ in nothing that is read here. */
+    /**
+     * Names of whole families, as cameras and AEDAT 3 and 4 use them, each with the member that stands for it. The
+     * members of a family differ in nothing that is read here.
+     */
     private static final Map<String, String> FAMILIES = Map.of("davis240", "davis240c", "davis346", "davis346red");
 
     private static Chip davis(String name, int width, int height) {
         return new Chip(name, DAVIS, new SensorSize(width, height), AddressLayout.DAVIS);
     }
 
-    /** {@return all chips that are known, in the order that help texts list them} */
+    /** {@return all known chips, in the order in which help texts list them} */
     public static List<Chip> known() {
         return KNOWN;
     }
@@ -65,7 +68,7 @@ public record Chip(String name, String jaerPackage, SensorSize sensor, AddressLa
     }
 
     /**
-     * {@return the chip of a name}
+     * {@return the known chip with a name; empty where there is none}
      *
      * @param name with or without its package, in upper or lower case; {@code DAVIS240} and {@code DAVIS346} stand for
      *     DAVIS240C and Davis346red

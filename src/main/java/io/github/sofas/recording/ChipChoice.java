@@ -7,14 +7,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The sensor of a recording, from what its header and the caller say. The header wins where its chip is known: one
- * option then works for a batch of recordings of which some name their sensor. Nothing is ever guessed.
+ * The sensor of a recording, chosen from its header and the caller's option. The header wins where its chip is known
+ * and the option is not forced: one option then works for a batch of recordings of which some name their sensor.
+ * Nothing is ever guessed.
  *
- * @param name how header or caller call it; null where only a size is known
+ * @param name its name in the header or the option; null where only a size is known
  * @param chip the chip, null where only its size is known
  * @param sensor its size
- * @param note what is to be said about the choice, or null
- * @param asked whether the caller named it, and not the header
+ * @param note message to the user about the choice, or null
+ * @param asked whether the caller named the sensor, not the header
  */
 record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolean asked) {
     private static final String OR_SIZE = " or a size such as 240x180";
@@ -38,9 +39,9 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
     }
 
     /**
-     * Chooses for a format that may hold the size itself; its chip name need not be a known one then.
+     * Chooses for a format that may state the size itself. Its chip name need not be a known one then.
      *
-     * @param headerOffset where the header is that says it
+     * @param headerOffset byte of the header that states the size
      * @param width columns as the header writes them, or null
      * @param height rows likewise
      */
@@ -92,7 +93,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
     /**
      * The choice of a caller who names a chip or a size.
      *
-     * @throws IllegalArgumentException where it is neither
+     * @throws IllegalArgumentException where the name is neither
      */
     static ChipChoice named(String name) {
         Optional<Chip> chip = Chip.named(name);
@@ -112,7 +113,7 @@ record ChipChoice(String name, Chip chip, SensorSize sensor, String note, boolea
         }
     }
 
-    /** Hands what there is to report to the reader; every reader is told of its choice. */
+    /** Reports the choice and its note to the reader. Every reader gets its choice by this method. */
     void reportTo(RecordingReader reader) {
         if (asked) {
             reader.chipIsAsked();

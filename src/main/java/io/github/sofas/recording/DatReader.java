@@ -8,9 +8,9 @@ import java.nio.ByteOrder;
 import java.util.Set;
 
 /**
- * Reads Prophesee's DAT files: a header ({@link PropheseeHeader}), a byte with the type of the events, a byte with
- * their size, then records, little-endian, of time in µs and a word with polarity, y and x; x runs right, y down. Time
- * overflows after 32 bits. Version 1 packs the word in other bits. Holds one file buffer.
+ * Reads Prophesee's DAT files. A file has a header ({@link PropheseeHeader}), a byte with the type of the events and a
+ * byte with their size. Little-endian records follow, each with the time in µs and a word with polarity, y and x. x
+ * runs right, y down. Time overflows after 32 bits. Version 1 packs the word in other bits. Holds one file buffer.
  *
  * <p>Source: openeb (prophesee-ai/openeb), {@code dat_tools.py}; version 1 as Prophesee's Matlab tools read it.
  */
@@ -36,9 +36,9 @@ final class DatReader extends RecordingReader {
     }
 
     /**
-     * Makes a reader at the two bytes behind the header, and takes these.
+     * Reads the two bytes after the header and makes a reader at the first record.
      *
-     * @throws MalformedRecordingException where they announce other records
+     * @throws MalformedRecordingException where the two bytes announce records of another kind
      */
     static DatReader open(RecordingFile file, RecordingOptions options, PropheseeHeader header, ChipChoice choice)
             throws IOException, MalformedRecordingException {
@@ -96,7 +96,7 @@ final class DatReader extends RecordingReader {
         return true;
     }
 
-    /** Takes a step back by more than half the range for an overflow. */
+    /** Treats a step back by at least half the range as an overflow. */
     @Override
     long step(long fromUs, long toUs) {
         return overflowingStep(fromUs, toUs, WRAP_US, WRAP_US / 2);

@@ -7,14 +7,15 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Unpacks chunks of events in Prophesee's codec ECF (filter 36559) into structures of 16 bytes: x, y and polarity in
- * two bytes each, two unused, and time in µs in eight. Safe for many threads.
+ * Unpacks chunks of events in Prophesee's codec ECF (filter 36559) into structures of 16 bytes: two bytes each for x, y
+ * and polarity, two unused bytes, and eight for the time in µs. Safe for many threads.
  *
- * <p>A chunk is a word with the number of events and two flags, the first time, runs of equal times, and then for each
- * event: y, x and polarity together in 24 bits; or runs of equal rows, and x and polarity together in 12 bits, or each
- * column with a mask of the five to the right of it, and runs of equal polarities.
+ * <p>A chunk starts with a word with the number of events and two flags, the first time, and runs of equal times. The
+ * flags select how the rest is packed. Either y, x and polarity of each event share 24 bits, or runs of equal rows
+ * follow. After these rows, either x and polarity share 12 bits, or each column has a mask of the five to its right,
+ * and runs of equal polarities follow.
  *
- * <p>Source: prophesee-ai/hdf5_ecf. Own code because no library for Java knows it.
+ * <p>Source: prophesee-ai/hdf5_ecf. Own code because no library for Java supports the codec.
  */
 final class EcfFilter implements Filter {
     private static final int ID = 36559;
@@ -101,7 +102,10 @@ final class EcfFilter implements Filter {
             check(length <= count - i, "a run of equal values must end within its chunk");
         }
 
-        /** A byte has a step of time below 15 and a count; 15 begins a longer step, in parts of four bits. */
+        /**
+         * Reads the times. A byte holds a step of time below 15 and a count of events; a step of 15 begins a longer
+         * step, in parts of four bits.
+         */
         private void times() {
             check(p + Long.BYTES <= packed.length, "a chunk must be whole");
             long time = (long) LONG.get(packed, p);
@@ -165,7 +169,7 @@ final class EcfFilter implements Filter {
                 int column = value >>> 5;
                 SHORT.set(events, i++ * EVENT_BYTES, (short) column);
                 for (int k = 1; k <= NEIGHBOURS; k++) {
-                    // the encoder may set bits for what lies behind the last event
+                    // the encoder may set bits for columns after the last event
                     if ((value >>> NEIGHBOURS - k & 1) != 0 && i < count) {
                         SHORT.set(events, i++ * EVENT_BYTES, (short) (column + k));
                     }
@@ -173,7 +177,7 @@ final class EcfFilter implements Filter {
             }
         }
 
-        /** Four values of 12 bits lie in three numbers of 16. */
+        /** Four values of 12 bits each lie in three numbers of 16 bits. */
         private void columnsAndPolarities() {
             for (int i = 0; i < count; i += 4) {
                 int a = nextShort();
@@ -186,7 +190,7 @@ final class EcfFilter implements Filter {
             }
         }
 
-        /** Four values of 24 bits lie in three numbers of 32. */
+        /** Four values of 24 bits each lie in three numbers of 32 bits. */
         private void rowsColumnsAndPolarities() {
             for (int i = 0; i < count; i += 4) {
                 int a = nextInt();
@@ -206,7 +210,7 @@ final class EcfFilter implements Filter {
             }
         }
 
-        /** Places behind the last event fill up its four. */
+        /** Stores an event's values; places after the last event only fill its group of four. */
         private void columnAndPolarity(int i, int value) {
             if (i < count) {
                 SHORT.set(events, i * EVENT_BYTES, (short) (value >>> 1));

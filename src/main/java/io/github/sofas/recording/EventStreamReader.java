@@ -6,10 +6,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads Event Stream 2 ({@code .es}) with DVS events: the words "Event Stream", three bytes of version, one of type,
- * width and height in two bytes each, little-endian; then for each event a byte with polarity (lowest bit) and the time
- * since the one before in µs, and x and y in two bytes each. A byte 0xFF means 127 µs more, 0xFE a reset without
- * effect. x runs right, y up. Holds one file buffer.
+ * Reads Event Stream 2 ({@code .es}) with DVS events. The header holds the words "Event Stream", three bytes of
+ * version, one byte of type, and width and height in two little-endian bytes each. Each event has a byte with the
+ * polarity (lowest bit) and the time since the event before it in µs, then x and y in two bytes each. A byte 0xFF adds
+ * 127 µs; 0xFE is a reset without effect. x runs right, y up. Holds one file buffer.
  *
  * <p>Source: the published description (neuromorphic-paris/event_stream).
  */

@@ -17,11 +17,11 @@ import static io.github.sofas.recording.EvtFormat.X_SHIFT_2;
 import io.github.sofas.event.EventBatch;
 
 /**
- * Reads EVT 2.1: a word of 64 bits holds in its upper half what a word of EVT 2.0 does, and in its lower half which of
- * the 32 pixels from there to the right have an event.
+ * Reads EVT 2.1: words of 64 bits. The upper half has the fields of a word of EVT 2.0. The lower half marks which of
+ * the 32 pixels from that position to the right have an event.
  */
 final class Evt21Reader extends EvtReader {
-    /** By how much to turn a word so that its type is in the highest bits. */
+    /** Number of bits by which a word is rotated, so that its type is in the highest bits. */
     private final int turn;
 
     Evt21Reader(RecordingFile file, RecordingOptions options, boolean isLegacy, ChipChoice choice) {

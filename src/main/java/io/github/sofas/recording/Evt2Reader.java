@@ -16,7 +16,7 @@ import static io.github.sofas.recording.EvtFormat.X_SHIFT_2;
 
 import io.github.sofas.event.EventBatch;
 
-/** Reads EVT 2.0: each event is a word of 32 bits. */
+/** Reads EVT 2.0: each event is one word of 32 bits; other words give the high bits of time. */
 final class Evt2Reader extends EvtReader {
     Evt2Reader(RecordingFile file, RecordingOptions options, ChipChoice choice) {
         super(file, options, "EVT 2.0", choice, Integer.BYTES, TIME_RANGE_BITS_2, WRAP_STEP_US_2);

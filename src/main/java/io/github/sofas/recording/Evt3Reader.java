@@ -20,12 +20,13 @@ import static io.github.sofas.recording.EvtFormat.VECTOR_BASE_3;
 import io.github.sofas.event.EventBatch;
 
 /**
- * Reads EVT 3.0: words of 16 bits, each of which changes one thing. An event is a word with a column, at the row and
- * time of the words before it; a vector gives those of 8 or 12 pixels from a base on, which it moves to the right.
+ * Reads EVT 3.0: words of 16 bits, each of which changes one part of the reader's state. An event is a word with a
+ * column, at the row and time of the words before it. A vector word marks the events among 8 or 12 pixels from a base
+ * column on, and moves the base to the right by that number.
  */
 final class Evt3Reader extends EvtReader {
     private static final int NO_ROW = -1;
-    /** Half of the range: the high bits come every 16 us. */
+    /** Half of the range, because the high bits come every 16 µs. */
     private static final long WRAP_STEP_US = 1L << 2 * TIME_BITS_3 - 1;
 
     private int row = NO_ROW;
@@ -127,7 +128,7 @@ final class Evt3Reader extends EvtReader {
         return emit(batch, n, p);
     }
 
-    /** Counts an event whose pixel is not known, or not there. */
+    /** Counts an event whose pixel is unknown or outside the sensor. */
     private void notOnSensor(int column, int y, int n, int p) {
         if (y != NO_ROW && (column >= sensor().width() || y >= sensor().height())) {
             outside(column, y, eventNumber(n), offsetOf(p));

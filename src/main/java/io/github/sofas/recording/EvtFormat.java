@@ -5,11 +5,12 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Prophesee's RAW files: a header ({@link PropheseeHeader}), then little-endian words of 16 bits (EVT 3.0), 32
- * (EVT 2.0) or 64 (EVT 2.1), whose four highest bits are their type. x runs right, y down.
+ * Constants of Prophesee's RAW files. A file has a header ({@link PropheseeHeader}), then little-endian words of 16
+ * bits (EVT 3.0), 32 bits (EVT 2.0) or 64 bits (EVT 2.1). The four highest bits of a word are its type. x runs right, y
+ * down.
  *
- * <p>Time comes in parts: a word with its high bits from time to time, its low bits with each event (2.0, 2.1) or in
- * words of their own (3.0). It overflows after 34 bits, or 24 (3.0: every 16.8 s).
+ * <p>Time comes in parts. The high bits come in a word of their own from time to time; the low bits come with each
+ * event (2.0, 2.1) or in words of their own (3.0). Time overflows after 34 bits, in 3.0 after 24 bits (every 16.8 s).
  *
  * <p>Source: Prophesee's description of its data encodings and openeb (prophesee-ai/openeb), {@code hal/decoders}.
  */
@@ -42,7 +43,9 @@ final class EvtFormat {
     static final int TIME_MASK_2 = 0x3F;
     static final int X_SHIFT_2 = 11;
     static final int TIME_RANGE_BITS_2 = 34;
-    /** The high bits come every few us, so that a step back by less than nearly the whole range is no overflow. */
+    /**
+     * Smallest step back, in µs, that is an overflow: nearly the whole range, because the high bits come every few µs.
+     */
     static final long WRAP_STEP_US_2 = (1L << TIME_RANGE_BITS_2) - 60_000_000;
 
     /** EVT 3.0: bits of a word. */
@@ -51,7 +54,7 @@ final class EvtFormat {
     static final int ON_3 = 1 << 11;
     static final int TIME_BITS_3 = 12;
 
-    /** Of a coordinate, in all versions. */
+    /** Mask of a coordinate, in all versions. */
     static final int COORDINATE_MASK = 0x7FF;
     static final int VECTOR_8_BITS = 8;
     static final int VECTOR_12_BITS = 12;

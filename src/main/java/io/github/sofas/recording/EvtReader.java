@@ -4,15 +4,16 @@ import io.github.sofas.event.EventBatch;
 import java.io.IOException;
 
 /**
- * What the readers of Prophesee's RAW versions share: whole words, the search for the first word that gives the time,
- * overflows of time, and vectors of events, whose rest waits where a batch is full. Holds one file buffer.
+ * Base class of the readers of Prophesee's RAW versions. It takes whole words from the file, searches for the first
+ * word that gives the time, undoes overflows of time, and expands vectors of events. The rest of a vector waits where a
+ * batch is full. Holds one file buffer.
  */
 abstract class EvtReader extends RecordingReader {
     private final int wordBytes;
     private final long rangeUs;
     private final long wrapStepUs;
 
-    /** Time of the high bits met last, µs; negative before the first. */
+    /** Time given by the latest high bits, in µs; negative before the first ones. */
     long highUs = -1;
 
     // The vector whose events did not all fit into the batch.
@@ -26,7 +27,7 @@ abstract class EvtReader extends RecordingReader {
      * Makes a reader at the first word.
      *
      * @param wordBytes size of a word
-     * @param timeBits after how many bits time overflows
+     * @param timeBits number of bits after which time overflows
      * @param wrapStepUs the smallest step back of the high bits that is an overflow, in µs
      */
     EvtReader(RecordingFile file, RecordingOptions options, String formatName, ChipChoice choice, int wordBytes,
@@ -41,8 +42,8 @@ abstract class EvtReader extends RecordingReader {
     abstract int typeAt(int p);
 
     /**
-     * Decodes buffered words from {@code file.position} on until the batch is full or no whole word is left, delivers
-     * and moves on.
+     * Decodes buffered words from {@code file.position} on until the batch is full or no whole word is left. Delivers
+     * the events and advances the position.
      *
      * @param n events that are in the batch already
      */
@@ -65,7 +66,7 @@ abstract class EvtReader extends RecordingReader {
         return true;
     }
 
-    /** Goes to the first word with the high bits of time: nothing before it can be dated. */
+    /** Skips to the first word with the high bits of time: the words before it cannot be dated. */
     private void passOverWhatHasNoTime() {
         int p = file.position;
         while (p + wordBytes <= file.limit && typeAt(p) != EvtFormat.TIME_HIGH) {
@@ -81,7 +82,7 @@ abstract class EvtReader extends RecordingReader {
         }
     }
 
-    /** Takes the high bits of time, as the word has them but in µs. */
+    /** Sets the high bits of time, as the word holds them but in µs. */
     final void timeHigh(long rawUs) {
         highUs = rawUs;
     }
@@ -92,7 +93,7 @@ abstract class EvtReader extends RecordingReader {
     }
 
     /**
-     * Adds what is left of the current vector, as far as it fits.
+     * Adds the remaining events of the current vector to the batch, as far as they fit.
      *
      * @param n events that are in the batch already
      * @param p where the word lies in the buffer, for messages

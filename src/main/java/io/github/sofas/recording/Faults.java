@@ -6,7 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 
-/** Faults of a recording that do not end its reading: of each kind where it was met first, and how often. */
+/**
+ * Collects the faults of a recording that do not end its reading: for each kind, the message of the first fault and
+ * their number.
+ */
 final class Faults {
     private final Map<String, Fault> faults = new LinkedHashMap<>();
 
@@ -19,7 +22,7 @@ final class Faults {
         }
     }
 
-    /** Keeps a fault; the kind is what faults are counted by, and the message is made for the first of a kind. */
+    /** Adds a fault. Faults are counted by kind; the message is made only for the first fault of a kind. */
     void add(String kind, Supplier<String> message) {
         Fault fault = faults.get(kind);
         if (fault == null) {
@@ -29,7 +32,7 @@ final class Faults {
         }
     }
 
-    /** A line per kind, in the order in which they were met. */
+    /** One line per kind, in the order in which the kinds were met. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         for (Fault fault : faults.values()) {

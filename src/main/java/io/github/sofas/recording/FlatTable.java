@@ -6,8 +6,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A table of a FlatBuffer, read field by field through its vtable; fields are named by their place there. Every read is
- * bounded by the bytes given: a table that points outside throws IndexOutOfBoundsException.
+ * A table of a FlatBuffer, read field by field through its vtable. A field is named by its place in the vtable. Every
+ * read is bounded by the given bytes: a table that points outside throws IndexOutOfBoundsException.
  */
 final class FlatTable extends Table {
     private FlatTable(ByteBuffer buffer, int position) {
@@ -17,7 +17,7 @@ final class FlatTable extends Table {
     /**
      * The root table.
      *
-     * @param rootAt where the root's offset stands
+     * @param rootAt place of the root's offset
      * @param length how many of the bytes belong to the buffer
      */
     static FlatTable root(byte[] bytes, int rootAt, int length) {

@@ -5,13 +5,13 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Formats that events or films of them come in and that are not read here: each is named, with what makes a
- * recording of it that is.
+ * A format of events or films that is not read here. Each is recognised and named in the error message, with the way to
+ * convert it.
  *
- * @param name what it is called
- * @param magic bytes that it has
- * @param at where in the file it has them
- * @param remedy what converts it
+ * @param name name of the format
+ * @param magic bytes that identify it
+ * @param at place of these bytes in the file
+ * @param remedy program or way to convert it
  */
 record ForeignFormat(String name, byte[] magic, int at, String remedy) {
     private static final String ROS = "in Python, rosbags (PyPI) reads it and h5py saves its events as HDF5";
@@ -37,7 +37,7 @@ record ForeignFormat(String name, byte[] magic, int at, String remedy) {
         this(name, magic.getBytes(StandardCharsets.ISO_8859_1), at, remedy);
     }
 
-    /** The format that begins at a place of a buffer; null where none is known. */
+    /** The foreign format that begins at a place of a buffer; null where none is known. */
     static ForeignFormat at(byte[] buffer, int position, int limit) {
         for (ForeignFormat format : ALL) {
             int from = position + format.at;

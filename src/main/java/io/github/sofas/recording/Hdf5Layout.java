@@ -13,18 +13,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where an HDF5 file has its events: HDF5 is a container, and each data set has a layout of its own. x runs right, y
- * down in all of them.
+ * The place of the events in an HDF5 file. HDF5 is only a container, and each collection of recordings has its own
+ * layout. x runs right, y down in all of them.
  *
  * @param name whose layout it is
  * @param x columns
  * @param y rows
  * @param polarity above 0 for ON
  * @param time in µs, or in s where the numbers have a fraction
- * @param timeOffsetUs to be added to each time
- * @param width columns of the sensor as the file says; null where it does not
+ * @param timeOffsetUs offset to be added to each time, in µs
+ * @param width columns of the sensor as the file states them; null where it does not
  * @param height rows likewise
- * @param usualSensor the size that recordings of this layout have, for a hint; null where there is none
+ * @param usualSensor the usual sensor size of this layout, for a hint; null where there is none
  */
 record Hdf5Layout(String name, Hdf5Rows.Column x, Hdf5Rows.Column y, Hdf5Rows.Column polarity, Hdf5Rows.Column time,
                   long timeOffsetUs, String width, String height, String usualSensor) {
@@ -34,7 +34,7 @@ record Hdf5Layout(String name, Hdf5Rows.Column x, Hdf5Rows.Column y, Hdf5Rows.Co
     /**
      * Finds the events.
      *
-     * @throws HdfException where they are nowhere that is known
+     * @throws HdfException where no known layout fits
      */
     static Hdf5Layout of(HdfFile file) {
         if (child(file, "CD/events") instanceof Dataset events) {
@@ -89,7 +89,7 @@ record Hdf5Layout(String name, Hdf5Rows.Column x, Hdf5Rows.Column y, Hdf5Rows.Co
         return rows;
     }
 
-    /** What lies at a path; null where nothing does. */
+    /** The node at a path; null where there is none. */
     private static Node child(Group group, String path) {
         Node node = group;
         for (String name : path.split("/")) {
@@ -98,7 +98,7 @@ record Hdf5Layout(String name, Hdf5Rows.Column x, Hdf5Rows.Column y, Hdf5Rows.Co
         return node;
     }
 
-    /** A side of the sensor as an attribute of the file or its events says it. */
+    /** Width or height of the sensor, from an attribute of the file or its events; null where neither has one. */
     private static String side(HdfFile file, Node events, boolean isWidth) {
         for (Node node : List.of(file, events)) {
             String side = side(node, isWidth);

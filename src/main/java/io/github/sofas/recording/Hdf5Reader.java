@@ -12,15 +12,15 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Reads HDF5 files with events ({@link Hdf5Layout}), plain or packed by deflate, LZF, LZ4, Zstandard, Blosc
- * ({@link BloscFilter}) or Prophesee's ECF ({@link EcfFilter}), by the library jHDF. Holds
- * the chunks of one stretch of events.
+ * Reads HDF5 files with events ({@link Hdf5Layout}) by the library jHDF. Data may be plain or packed by deflate, LZF,
+ * LZ4, Zstandard, Blosc ({@link BloscFilter}) or Prophesee's ECF ({@link EcfFilter}). Holds the chunks of one stretch
+ * of events.
  */
 final class Hdf5Reader extends RecordingReader {
     static final byte[] MAGIC = {(byte) 0x89, 'H', 'D', 'F', '\r', '\n', 0x1A, '\n'};
 
     private static final double US_PER_S = 1e6;
-    /** How jHDF's message begins where it knows no filter of a number. */
+    /** Start of jHDF's message about a filter that it does not know. */
     private static final String NO_FILTER = "A required filter is not available:";
 
     static {
@@ -29,7 +29,7 @@ final class Hdf5Reader extends RecordingReader {
         FilterManager.addFilter(new ZstdFilter());
     }
 
-    /** Where a superblock of version 0, 1, 2 or 3 says how long the file is, when addresses have eight bytes. */
+    /** Place of the file's length in superblocks of version 0, 1, 2 and 3, for addresses of eight bytes. */
     private static final int[] END_AT = {40, 44, 28, 28};
     private static final int VERSION_AT = 8;
 
@@ -43,7 +43,7 @@ final class Hdf5Reader extends RecordingReader {
     private final long[] rows;
     private final long[] polarities;
     private final long[] times;
-    /** The event that is decoded next, and the end of the stretch of events that was read. */
+    /** The next event to be decoded, and the end of the stretch of events that was read. */
     private long next;
     private long readTo;
     private int inStretch;
@@ -73,7 +73,7 @@ final class Hdf5Reader extends RecordingReader {
         times = new long[stretch];
     }
 
-    /** Finds the events and makes a reader at the first. */
+    /** Finds the events and makes a reader at the first one. */
     static Hdf5Reader open(RecordingFile file, RecordingOptions options) throws EventSourceException {
         try {
             HdfFile hdf = file.asHdf5();
@@ -96,7 +96,10 @@ final class Hdf5Reader extends RecordingReader {
         }
     }
 
-    /** What the library met: its own message, or the kind of failure where a damaged file led it astray. */
+    /**
+     * Explains a failure of the library: by the missing end of a truncated file, by the library's own message, or by
+     * the kind of exception where a damaged file led the library astray.
+     */
     private static String reason(RecordingFile file, Throwable e) {
         String truncated = truncated(file);
         if (truncated != null) {
@@ -151,7 +154,10 @@ final class Hdf5Reader extends RecordingReader {
         return true;
     }
 
-    /** The events may all be there while something else is not, or while a lost chunk was taken for one of zeros. */
+    /**
+     * Checks that the file is complete. All events may be present although something else is missing, or although a
+     * lost chunk was taken for one of zeros.
+     */
     private void checkEnd() throws MalformedRecordingException {
         String truncated = truncated(file);
         if (truncated != null) {
@@ -159,7 +165,10 @@ final class Hdf5Reader extends RecordingReader {
         }
     }
 
-    /** What is wrong where the file is shorter than it says; null where it is not, or where that cannot be read. */
+    /**
+     * The fault of a file that is shorter than its superblock states; null where it is not, or where that cannot be
+     * read.
+     */
     private static String truncated(RecordingFile file) {
         try {
             file.seek(0);
@@ -219,7 +228,7 @@ final class Hdf5Reader extends RecordingReader {
         }
     }
 
-    /** An event lies at as many places as it has columns. */
+    /** Names only the event, because it lies at as many places as it has columns. */
     @Override
     String at(long event, long place) {
         return "[" + file.name + "] event " + event + ": ";

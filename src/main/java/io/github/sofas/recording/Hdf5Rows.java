@@ -14,11 +14,11 @@ import io.jhdf.object.datatype.OrderedDataType;
 import java.nio.ByteBuffer;
 
 /**
- * A data set of an HDF5 file whose first dimension runs over the events, read a stretch of rows at a time. A row is one
- * number, or some, or a structure; a {@link Column} is one number of it.
+ * A data set of an HDF5 file whose first dimension runs over the events. It is read a stretch of rows at a time. A row
+ * is one number, several numbers or a structure; a {@link Column} is one number of each row.
  */
 final class Hdf5Rows {
-    /** Of a chunk; recorders write some 100 kB. */
+    /** Largest accepted chunk; recorders write about 100 kB. */
     private static final long MOST_CHUNK_BYTES = 128L << 20;
     private static final int UNCHUNKED_ROWS = 1 << 16;
 
@@ -43,14 +43,14 @@ final class Hdf5Rows {
         return dataset.getDimensionsAsLong()[0];
     }
 
-    /** How many numbers a row has; 1 where it is one, or a structure. */
+    /** How many numbers a row has; 1 where the row is one number or a structure. */
     int width() {
         return shape.length == 1 ? 1 : shape[1];
     }
 
     /**
-     * How many rows to read at once, beginning at multiples of it: those of a chunk, each of which is then unpacked
-     * once.
+     * How many rows to read at once, starting at multiples of this number: the rows of one chunk, so that each chunk is
+     * unpacked once.
      *
      * @throws HdfException where a chunk is so large that the file must be damaged
      */
@@ -70,7 +70,7 @@ final class Hdf5Rows {
         return chunk[0];
     }
 
-    /** Reads some rows, in place of those read before. */
+    /** Reads a stretch of rows, which replaces the stretch read before. */
     void read(long from, int count) {
         shape[0] = count;
         rows = dataset.getSliceDataBuffer(shape.length == 1 ? new long[] {from} : new long[] {from, 0}, shape);
@@ -79,14 +79,14 @@ final class Hdf5Rows {
         }
     }
 
-    /** The number that each row is, or the i-th of each row. */
+    /** The i-th number of each row, or the row itself where it is one number. */
     Column column(int i) {
         DataType type = dataset.getDataType();
         return new Column(i * type.getSize(), type);
     }
 
     /**
-     * The member of a name of each row's structure.
+     * The member with this name in the structure of each row.
      *
      * @throws HdfException where there is none
      */
@@ -125,17 +125,20 @@ final class Hdf5Rows {
             type = (OrderedDataType) number;
         }
 
-        /** Whether it holds numbers with a fraction. */
+        /** Whether the column holds floating-point numbers. */
         boolean isReal() {
             return isReal;
         }
 
-        /** The rows of the data set that it is of. */
+        /** The data set that the column belongs to. */
         Hdf5Rows rows() {
             return Hdf5Rows.this;
         }
 
-        /** Copies whole numbers out of the rows read; those of 8 bytes as they are, whatever their sign. */
+        /**
+         * Copies the column out of the rows read. Floating-point numbers are rounded; numbers of 8 bytes are copied as
+         * they are, whatever their sign.
+         */
         void copyTo(long[] target, int from, int count) {
             ByteBuffer buffer = rows.order(type.getByteOrder());
             int p = rows.position() + from * rowBytes + at;
@@ -170,7 +173,7 @@ final class Hdf5Rows {
             }
         }
 
-        /** Copies numbers with a fraction, multiplied and rounded to whole ones. */
+        /** Copies floating-point numbers, multiplied and rounded to whole numbers. */
         void copyScaledTo(long[] target, int from, int count, double factor) {
             ByteBuffer buffer = rows.order(type.getByteOrder());
             int p = rows.position() + from * rowBytes + at;

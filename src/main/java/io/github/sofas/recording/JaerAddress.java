@@ -14,8 +14,8 @@ import static io.github.sofas.recording.Aedat2Format.DVS128_X_SHIFT;
 import static io.github.sofas.recording.Aedat2Format.DVS128_Y_SHIFT;
 
 /**
- * What an address holds that jAER writes into AEDAT 2.0 or sends over the network, for the addresses of one chip. For
- * streams; the reader of files has the same in its loop.
+ * Decodes the addresses of one chip, as jAER writes them into AEDAT 2.0 or sends them over the network. This class
+ * serves streams; the reader of files has the same decoding in its loop.
  */
 public final class JaerAddress {
     private final boolean dvs128;
@@ -23,9 +23,9 @@ public final class JaerAddress {
     private final int lastRow;
 
     /**
-     * For the addresses of a chip.
+     * Makes a decoder for the addresses of a chip.
      *
-     * @param chip of the events
+     * @param chip chip that the events come from
      */
     public JaerAddress(Chip chip) {
         dvs128 = chip.layout() == Chip.AddressLayout.DVS128;
@@ -34,7 +34,7 @@ public final class JaerAddress {
     }
 
     /**
-     * {@return whether it is a change event (DVS), not an intensity or inertial sample or a trigger}
+     * Whether the address is that of a change event (DVS), not of an intensity or inertial sample or a trigger.
      *
      * @param address as the recording holds it
      */

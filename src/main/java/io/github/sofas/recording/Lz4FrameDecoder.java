@@ -8,9 +8,9 @@ import java.util.Arrays;
 /**
  * Unpacks LZ4 frames (github.com/lz4/lz4, doc/lz4_Frame_format.md and lz4_Block_format.md) with linked or independent
  * blocks. Checksums are verified. All blocks go into one array, so that a match reaches back into earlier blocks
- * without a copy. Keeps what was unpacked before damage. Not for frames that need a dictionary.
+ * without a copy. Bytes that were unpacked before damage are kept. Frames that need a dictionary are not supported.
  *
- * <p>Own code because libraries either refuse linked blocks, which recorders write (lz4-java), or are too slow
+ * <p>This is own code because libraries either refuse linked blocks, which recorders write (lz4-java), or are too slow
  * (commons-compress 1.28: 0.1 to 0.2 million events/s).
  */
 final class Lz4FrameDecoder {
@@ -39,7 +39,7 @@ final class Lz4FrameDecoder {
     private byte[] input;
     private int end;
 
-    /** What was unpacked; entries from {@link #length()} on mean nothing. Valid up to the next call. */
+    /** The unpacked bytes; entries from {@link #length()} on are meaningless. Valid until the next {@link #decode}. */
     byte[] output() {
         return output;
     }
@@ -49,7 +49,7 @@ final class Lz4FrameDecoder {
         return length;
     }
 
-    /** What was wrong, starting with truncated, malformed or unsupported; null if nothing was. */
+    /** The fault, starting with truncated, malformed or unsupported; null if there was none. */
     String fault() {
         return fault;
     }
@@ -57,8 +57,8 @@ final class Lz4FrameDecoder {
     /**
      * Unpacks one frame.
      *
-     * @param maxBytes the most bytes that may be unpacked, counted in whole blocks; the array grows with what is
-     *     there, never by what a header announces
+     * @param maxBytes the greatest number of bytes to unpack, counted in whole blocks; the array grows with the data
+     *     that is there, never by the size that a header announces
      */
     void decode(byte[] packed, int from, int to, int maxBytes) {
         input = packed;
@@ -158,8 +158,8 @@ final class Lz4FrameDecoder {
     }
 
     /**
-     * Unpacks one block to {@code output[length]}. Copies run in steps of eight bytes and may write up to seven past
-     * their end, which stays inside the array because {@link #reserve} keeps slack beyond every limit.
+     * Unpacks one block to {@code output[length]}. Copies run in steps of eight or sixteen bytes and may write up
+     * to sixteen past their end, which stays inside the array because {@link #reserve} keeps slack beyond every limit.
      */
     private void block(int from, int blockEnd, int windowStart, int limit) {
         byte[] in = input;

@@ -4,10 +4,10 @@ import io.github.sofas.event.EventBatch;
 import java.io.IOException;
 
 /**
- * Reads the {@code .bin} files of N-MNIST and N-Caltech101: five bytes per event, big-endian: x, y, polarity in the
- * highest bit of the third, time in µs in the other 23. x runs right, y down. An event in row 240 is none: it adds
- * 8,192 µs to the times from there on. These files have no other mark, so that the extension decides. Holds one file
- * buffer.
+ * Reads the {@code .bin} files of N-MNIST and N-Caltech101. An event has five bytes, big-endian: x, y, the polarity in
+ * the highest bit of the third byte, and the time in µs in the other 23 bits. x runs right, y down. An event in row 240
+ * is no real event: it adds 8,192 µs to all later times. Nothing in these files marks their format, so the extension
+ * decides. Holds one file buffer.
  *
  * <p>Source: the data sets' own {@code Read_Ndataset} (Orchard et al. 2015, "Converting static image datasets to
  * spiking neuromorphic datasets using saccades").

@@ -2,9 +2,12 @@ package io.github.sofas.recording;
 
 import io.github.sofas.event.SensorSize;
 
-/** Events outside the sensor, which are not delivered: how many, how far, and whether the sensor is another. */
+/**
+ * Counts events outside the sensor, which are not delivered, and how far out they lie. Many of them show a wrong
+ * sensor.
+ */
 final class OutsideEvents {
-    /** Where more lie outside, the sensor is another. */
+    /** Where a larger share of the events lies outside, the sensor is another one. */
     private static final double MOST_OUTSIDE = 0.1;
     private static final int FEWEST_OUTSIDE = 20;
 
@@ -28,10 +31,10 @@ final class OutsideEvents {
     }
 
     /**
-     * What is wrong where too many lie outside for a sensor that the caller named; null where few do.
+     * The fault where too many events lie outside a sensor that the caller named; null where few do.
      *
-     * @param asked what the caller named
-     * @param inside how many lie on the sensor
+     * @param asked the sensor as the caller named it
+     * @param inside number of events on the sensor
      */
     String misfit(String asked, long inside) {
         long all = inside + count;

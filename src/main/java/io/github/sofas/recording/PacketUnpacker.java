@@ -8,8 +8,8 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * Unpacks payloads of AEDAT 4.0 into an array that it keeps and grows with what is there. Keeps what was unpacked
- * before damage.
+ * Unpacks payloads of AEDAT 4.0, plain or packed by LZ4 or Zstandard. The output array is reused and grows with the
+ * data that is there. Bytes that were unpacked before damage are kept.
  */
 final class PacketUnpacker implements Closeable {
     private static final int CHUNK_BYTES = 1 << 16;
@@ -33,7 +33,7 @@ final class PacketUnpacker implements Closeable {
         unpackedChunk = usesZstd ? ByteBuffer.allocateDirect(2 * CHUNK_BYTES) : null;
     }
 
-    /** What was unpacked; entries from {@link #length()} on mean nothing. Valid up to the next call. */
+    /** The unpacked bytes; entries from {@link #length()} on are meaningless. Valid until the next {@link #unpack}. */
     byte[] output() {
         return output;
     }
@@ -43,7 +43,7 @@ final class PacketUnpacker implements Closeable {
         return length;
     }
 
-    /** What was wrong, starting with truncated, malformed or unsupported; null if nothing was. */
+    /** The fault, starting with truncated, malformed or unsupported; null if there was none. */
     String fault() {
         return fault;
     }
@@ -95,7 +95,7 @@ final class PacketUnpacker implements Closeable {
                     if (!append()) {
                         return;
                     }
-                    // A full chunk may leave more inside the decoder, even after the last byte was fed.
+                    // A full chunk may leave more data inside the decoder, even after the last byte was fed.
                 } while (!whole && full);
             }
         } catch (ZstdException e) {

@@ -1,8 +1,8 @@
 package io.github.sofas.recording;
 
 /**
- * Text from a file, or a file's name, as part of a line on a terminal: its control characters could move the cursor or
- * worse, so that each is shown as a question mark.
+ * Makes text from a file, or a file's name, safe for a line on a terminal. Control characters could move the cursor or
+ * worse, so each is replaced by a question mark.
  */
 public final class Printable {
     private static final int LONGEST = 200;
@@ -19,7 +19,7 @@ public final class Printable {
         return text.replaceAll("\\p{Cc}", "?");
     }
 
-    /** The same, cut where it is longer than a terminal's lines; null stays null. */
+    /** The text without control characters, cut where it is longer than a terminal's lines; null stays null. */
     static String shortened(String text) {
         if (text == null) {
             return null;

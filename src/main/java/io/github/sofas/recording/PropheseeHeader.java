@@ -9,9 +9,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The header lines of Prophesee's RAW and DAT files: {@code % key value}, keys in upper or lower case. Newer recorders
- * end it with {@code % end}. Without that it ends with the first line that does not start with a per cent sign and a
- * blank, but data may start with those bytes too: what looks like a line and holds a control character is data.
+ * The header lines of Prophesee's RAW and DAT files: {@code % key value}, with keys in upper or lower case. Newer
+ * recorders end the header with {@code % end}. Without that, the header ends before the first line that does not start
+ * with a per cent sign and a blank. Data may start with those bytes too, so an apparent line with a control character
+ * is taken for data.
  *
  * <p>Source: openeb (prophesee-ai/openeb), {@code GenericHeader} and {@code PseeRawFileHeader}.
  */
@@ -25,7 +26,7 @@ final class PropheseeHeader {
     private PropheseeHeader() {
     }
 
-    /** Whether a header begins where the file is. */
+    /** Whether a header begins at the file's position. */
     static boolean startsAt(RecordingFile file) throws IOException {
         return file.require(2) && file.buffer[file.position] == '%' && file.buffer[file.position + 1] == ' ';
     }
@@ -53,7 +54,7 @@ final class PropheseeHeader {
         return header;
     }
 
-    /** The line at which the file is, which it then lies behind; null where it is none, and the file stays. */
+    /** Reads the line at the file's position and moves past it; returns null, without moving, where there is none. */
     private static String line(RecordingFile file) throws IOException, MalformedRecordingException {
         boolean more = file.require(MOST_LINE_BYTES);
         int start = file.position;
@@ -77,12 +78,12 @@ final class PropheseeHeader {
         return character == '\t' || character == '\r';
     }
 
-    /** What a key says; null where it is not there. */
+    /** The value of a key; null where the key is missing. */
     String value(String key) {
         return values.get(key);
     }
 
-    /** Whether one of the keys is there. */
+    /** Whether at least one of the keys is there. */
     boolean hasOneOf(String... keys) {
         for (String key : keys) {
             if (values.containsKey(key)) {
@@ -102,7 +103,7 @@ final class PropheseeHeader {
         return evt == null ? null : "EVT" + evt.replaceFirst("\\.0$", "").replace(".", "");
     }
 
-    /** What an option of the format line says, such as {@code endianness}; null where it is not there. */
+    /** The value of an option of the format line, such as {@code endianness}; null where the option is missing. */
     private String option(String name) {
         String format = value("format");
         for (String option : format == null ? new String[0] : format.split(";")) {

@@ -11,11 +11,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * The bytes of a file through one buffer that decoders index themselves: {@code buffer[position]} is the next byte,
- * {@code buffer[limit]} the first one that is not there yet.
+ * The bytes of a file, read through one buffer that decoders index themselves. {@code buffer[position]} is the next
+ * byte, {@code buffer[limit]} the first byte that is not loaded yet.
  */
 final class RecordingFile implements Closeable {
-    /** Large enough that a read costs little an event, small enough to stay in the second-level cache. */
+    /** Large enough that a read costs little per event, small enough to stay in the second-level cache. */
     static final int BUFFER_BYTES = 128 * 1024;
 
     /** The file's name, as messages show it. */
@@ -47,12 +47,12 @@ final class RecordingFile implements Closeable {
         return channel.size();
     }
 
-    /** How many bytes the file had when it was opened; 0 for what is no file but a stream. */
+    /** How many bytes the file had when it was opened; 0 for a stream, which is no file. */
     long sizeAtFirst() {
         return sizeAtFirst;
     }
 
-    /** Whether any place of it can be read, which is not so of a stream. */
+    /** Whether any place of the file can be read, which is not so for a stream. */
     boolean isSeekable() {
         return isSeekable;
     }
@@ -63,10 +63,10 @@ final class RecordingFile implements Closeable {
     }
 
     /**
-     * Reads on until so many bytes are buffered.
+     * Reads on until this many bytes are buffered.
      *
      * @param bytes at most {@link #BUFFER_BYTES}
-     * @return false where the file ends before; what is left is then buffered
+     * @return false where the file ends before; the rest of the file is then buffered
      */
     boolean require(int bytes) throws IOException {
         if (limit - position >= bytes) {
@@ -88,9 +88,9 @@ final class RecordingFile implements Closeable {
     }
 
     /**
-     * Copies bytes out, past the buffer where they are many.
+     * Copies bytes into an array; large amounts bypass the buffer.
      *
-     * @return how many there were, fewer than asked for only at the file's end
+     * @return how many bytes were copied, fewer than asked for only at the file's end
      */
     int read(byte[] target, int from, int bytes) throws IOException {
         int done = Math.min(bytes, limit - position);
@@ -117,21 +117,21 @@ final class RecordingFile implements Closeable {
         return done;
     }
 
-    /** The file's last bytes as text; where it is, it stays. */
+    /** The file's last bytes as text; the position does not change. */
     String tail(int bytes) throws IOException {
         ByteBuffer tail = ByteBuffer.allocate((int) Math.min(bytes, size()));
         long from = size() - tail.capacity();
         while (tail.hasRemaining() && channel.read(tail, from + tail.position()) > 0) {
-            // a channel may give less than it has
+            // a channel may return less than it has
             continue;
         }
         return new String(tail.array(), 0, tail.position(), StandardCharsets.UTF_8);
     }
 
     /**
-     * The file as HDF5, read past the buffer; closing one closes both.
+     * The file as HDF5, read without the buffer; closing one closes both.
      *
-     * @throws io.jhdf.exceptions.HdfException where it is none
+     * @throws io.jhdf.exceptions.HdfException where the file is not HDF5
      */
     HdfFile asHdf5() {
         return new HdfFile(channel);

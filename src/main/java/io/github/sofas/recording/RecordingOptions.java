@@ -4,16 +4,16 @@ import io.github.sofas.event.SensorSize;
 import java.util.List;
 
 /**
- * What a recording does not say itself, and how its faults are taken.
+ * What the caller states about a recording: facts that the recording itself lacks, and how its faults are treated.
  *
- * @param chip the sensor where the recording names none that is known: a name that {@link Chip#named} knows or, for
- *     formats whose events hold plain coordinates (all but AEDAT 1 and 2), a size such as {@code 240x180}; null for
- *     none. A chip that the recording names itself wins, and the difference is one of {@link RecordingReader#notes()}.
+ * @param chip the sensor, for recordings that name no known one: a name that {@link Chip#named} knows or, for formats
+ *     whose events hold plain coordinates (all but AEDAT 1 and 2), a size such as {@code 240x180}; null for none. A
+ *     chip that the recording names itself wins, and the difference is one of {@link RecordingReader#notes()}.
  * @param strict whether a step back in time is an error; otherwise it is counted and the event gets the greatest time
  *     seen before it
- * @param forceChip whether the chip is taken even where the recording names another, or its addresses speak against it
- * @param columns which field of a text recording's lines is what; null for what its header says, or the usual order
- * @param timeUnit unit of a text recording's times; null for what its header or its numbers say
+ * @param forceChip whether the chip is used even where the recording names another, or its addresses contradict it
+ * @param columns meaning of the fields of a text recording's lines; null for that of its header, or the usual order
+ * @param timeUnit unit of a text recording's times; null for what its header or its numbers indicate
  */
 public record RecordingOptions(String chip, boolean strict, boolean forceChip, TextColumns columns,
                                TextTimeUnit timeUnit) {
@@ -24,10 +24,11 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
      *
      * @param chip name of a chip or size of a sensor; null for none
      * @param strict whether a step back in time is an error
-     * @param forceChip whether the chip is taken whatever the recording says
-     * @param columns of text recordings; null for those that the recording says
-     * @param timeUnit of text recordings; null for the one that the recording says
-     * @throws IllegalArgumentException where the chip is neither a known name nor a size of {@link SensorSize}'s range
+     * @param forceChip whether the chip is used whatever the recording says
+     * @param columns columns of text recordings; null for those that the recording names
+     * @param timeUnit time unit of text recordings; null for the one that the recording indicates
+     * @throws IllegalArgumentException where the chip is neither a known name nor a size in the range of
+     *     {@link SensorSize}
      */
     public RecordingOptions {
         if (chip != null) {
@@ -35,13 +36,13 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
         }
     }
 
-    /** {@return no chip, not strict, text by its header or the usual order} */
+    /** {@return the default options: no chip, not strict, text by its header or in the usual order} */
     public static RecordingOptions defaults() {
         return DEFAULTS;
     }
 
     /**
-     * {@return the same with another chip, or null for none}
+     * {@return these options with another chip, or null for none}
      *
      * @param newChip name of a chip, or a size such as {@code 240x180}
      * @throws IllegalArgumentException where it is neither
@@ -51,7 +52,7 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
     }
 
     /**
-     * {@return the same with another strictness}
+     * {@return these options with another strictness}
      *
      * @param newStrict whether a step back in time is an error
      */
@@ -60,18 +61,18 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
     }
 
     /**
-     * {@return the same, with or without obeying the chip whatever the recording says}
+     * {@return these options, with the chip forced or not}
      *
-     * @param newForceChip whether it is
+     * @param newForceChip whether the chip is used whatever the recording says
      */
     public RecordingOptions withForceChip(boolean newForceChip) {
         return new RecordingOptions(chip, strict, newForceChip, columns, timeUnit);
     }
 
     /**
-     * {@return the same with other columns for text recordings}
+     * {@return these options with other columns for text recordings}
      *
-     * @param names in the order of the fields, such as t, x, y, p; any other name passes over a field
+     * @param names names in the order of the fields, such as t, x, y, p; a field with any other name is skipped
      * @throws IllegalArgumentException where one of the four is missing or comes twice
      */
     public RecordingOptions withColumns(List<String> names) {
@@ -81,9 +82,9 @@ public record RecordingOptions(String chip, boolean strict, boolean forceChip, T
     }
 
     /**
-     * {@return the same with another unit of time for text recordings}
+     * {@return these options with another unit of time for text recordings}
      *
-     * @param newTimeUnit null for what the recording says
+     * @param newTimeUnit the unit; null to take it from the recording
      */
     public RecordingOptions withTimeUnit(TextTimeUnit newTimeUnit) {
         return new RecordingOptions(chip, strict, forceChip, columns, newTimeUnit);

@@ -13,14 +13,15 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * A recording that is being read. It delivers the change events (DVS) in the order of the file, with x right, y down
- * and time that never falls; other kinds are counted. Whatever is wrong but loses nothing else is kept in
- * {@link #faults()}; damage that ends the reading is thrown, after every event before it was delivered.
+ * Base class of the readers of all formats. A reader delivers the change events (DVS) of a recording in the order of
+ * the file, with x right, y down and time that never falls. Records of other kinds are counted. A fault that loses
+ * nothing else is kept in {@link #faults()}. Damage that ends the reading is thrown, after every event before it was
+ * delivered.
  *
- * <p>Used by one thread. What it holds in memory is written in the package's description.
+ * <p>For use by one thread. The package description states how much memory a reader holds.
  */
 public abstract class RecordingReader implements EventSource {
-    /** Events that are decoded at once where some wait for those behind them. */
+    /** How many events are decoded at once while others wait for the events after them. */
     private static final int BEHIND = 4096;
 
     final RecordingFile file;
@@ -31,11 +32,11 @@ public abstract class RecordingReader implements EventSource {
     long triggers;
     long invalid;
     long otherRecords;
-    /** Records with bits that no recorder sets; what could be read of them was used. */
+    /** Records with bits that no recorder sets; their readable part was used. */
     long malformedRecords;
-    /** Gets IMU samples; null where no one wants them. */
+    /** Receiver of IMU samples; null where there is none. */
     Consumer<ImuSample> imuReceiver;
-    /** Gets frames; null where no one wants them. */
+    /** Receiver of frames; null where there is none. */
     Consumer<GreyFrame> frameReceiver;
 
     private final String formatName;
@@ -47,12 +48,12 @@ public abstract class RecordingReader implements EventSource {
     private final OutsideEvents outside;
     private final TimeFaults timeFaults;
     private final TimeOrder order;
-    /** Takes what is decoded while events wait that come before it. */
+    /** Takes the events that are decoded while earlier events wait. */
     private EventBatch behind;
     /** Number and place of each event of the batch that is being decoded. */
     private long[] numbers = new long[0];
     private long[] places = new long[0];
-    /** Events decoded; those that are delivered are fewer where times are damaged, or where some wait. */
+    /** Events decoded. Fewer are delivered where times are damaged, or where some events wait. */
     private long decoded;
     private long events;
     private boolean ended;
@@ -71,17 +72,17 @@ public abstract class RecordingReader implements EventSource {
     }
 
     /**
-     * Decodes what follows into the empty batch, with the times that the file holds, in whatever order; {@link #note}
-     * is called for each event. What was passed to {@link #deliver} before an exception is delivered, and then the
-     * exception is thrown.
+     * Decodes the next events into the empty batch, with the times that the file holds, in whatever order, and calls
+     * {@link #note} for each event. Events that were passed to {@link #deliver} before an exception are delivered
+     * first; then the exception is thrown.
      *
      * @return false at the end of the recording; true where more may follow, even if the batch is still empty
      */
     abstract boolean decode(EventBatch batch) throws EventSourceException, IOException;
 
     /**
-     * How far the clock went from one time of the file to another, in µs: less than 0 where it stepped back. Clocks of
-     * few bits, which start again after an overflow, have a rule of their own.
+     * Returns how far the clock advanced from one time of the file to another, in µs; negative where it stepped back.
+     * Formats with clocks of few bits, which start again after an overflow, override this rule.
      */
     long step(long fromUs, long toUs) {
         long step = toUs - fromUs;
@@ -90,9 +91,9 @@ public abstract class RecordingReader implements EventSource {
     }
 
     /**
-     * The step of a clock that begins again with 0.
+     * Returns the step of a clock that starts again at 0.
      *
-     * @param rangeUs after which it does
+     * @param rangeUs time after which the clock starts again
      * @param leastBackUs the smallest step back that is an overflow
      */
     final long overflowingStep(long fromUs, long toUs, long rangeUs, long leastBackUs) {
@@ -100,7 +101,7 @@ public abstract class RecordingReader implements EventSource {
         if (step <= -leastBackUs) {
             return step + rangeUs;
         }
-        // an event of before the overflow that came after it
+        // an event from before the overflow that comes after it
         return step >= leastBackUs && timeWraps() > 0 ? step - rangeUs : step;
     }
 
@@ -114,19 +115,20 @@ public abstract class RecordingReader implements EventSource {
         return formatName;
     }
 
-    /** {@return how the recording, or else the caller, names the sensor; empty where only its size is known} */
+    /**
+     * The sensor's name in the recording, or else that given by the caller; empty where only the sensor's size is
+     * known.
+     */
     public final Optional<String> chip() {
         return Optional.ofNullable(chipName);
     }
 
-    /** {@return how packets are packed, such as "LZ4"; empty for formats that know no compression} */
+    /** {@return how packets are packed, such as "LZ4"; empty for formats without compression} */
     public Optional<String> compression() {
         return Optional.empty();
     }
 
-    /**
-     * {@return what has been met up to the end of the last batch; in a batch's middle, up to what was decoded for it}
-     */
+    /** {@return the counts up to the end of the last batch; while a batch is read, up to the events decoded for it} */
     public final RecordingCounts counts() {
         return new RecordingCounts(events, apsSamples, frames, imuSamples, triggers, invalid, outside.count(),
                 timeFaults.stepsBack(), timeFaults.wraps(), otherRecords, malformedRecords, timeFaults.damagedTimes(),
@@ -135,7 +137,7 @@ public abstract class RecordingReader implements EventSource {
 
     /**
      * Delivers IMU samples from now on, each from within {@link #next} and before the events that follow it in the
-     * file. Only AEDAT 2.0 recordings of DAVIS cameras deliver them; other formats count theirs.
+     * file. Only AEDAT 2.0 recordings of DAVIS cameras deliver them; other formats only count theirs.
      *
      * @param receiver is called while batches are read, in the order of the file
      */
@@ -144,8 +146,9 @@ public abstract class RecordingReader implements EventSource {
     }
 
     /**
-     * Delivers grey-level frames from now on, each from within {@link #next}; a batch may hold events of before and
-     * after. AEDAT 2.0 recordings of DAVIS cameras and AEDAT 4.0 recordings deliver them, others only count theirs.
+     * Delivers grey-level frames from now on, each from within {@link #next}; a batch may hold events from before and
+     * after the frame. AEDAT 2.0 recordings of DAVIS cameras and AEDAT 4.0 recordings deliver them; others only count
+     * theirs.
      *
      * @param receiver is called while batches are read, in the order of the file
      */
@@ -153,30 +156,30 @@ public abstract class RecordingReader implements EventSource {
         frameReceiver = receiver;
     }
 
-    /** {@return how far into the file the reading is, in bytes; what is still buffered is not counted} */
+    /** {@return how many bytes of the file have been read; bytes that are still buffered do not count} */
     public final long bytesRead() {
         return file.offset();
     }
 
-    /** {@return the time of the first event delivered, µs; 0 before one was} */
+    /** {@return the time of the first delivered event, in µs; 0 before there was one} */
     public final long firstTimeUs() {
         return order.firstUs();
     }
 
-    /** {@return the time of the last event delivered, µs; 0 before one was} */
+    /** {@return the time of the last delivered event, in µs; 0 before there was one} */
     public final long lastTimeUs() {
         return order.lastUs();
     }
 
     /**
-     * {@return what was found wrong so far without ending the reading} One line per kind of fault, with the place of
-     * the first and their number. Empty for a faultless recording.
+     * {@return the faults found so far that did not end the reading} There is one line per kind of fault, with the
+     * place of the first one and their number. Empty for a faultless recording.
      */
     public final List<String> faults() {
         return faults.lines();
     }
 
-    /** {@return what the user should know beside the faults, such as that an option was not needed} */
+    /** {@return notes for the user that are not faults, such as that an option was not needed} */
     public final List<String> notes() {
         return List.copyOf(notes);
     }
@@ -241,7 +244,10 @@ public abstract class RecordingReader implements EventSource {
         }
     }
 
-    /** Someone may still be writing: what was read is a part then, however well it ends. */
+    /**
+     * Reports where the file has grown since it was opened. Someone may still be writing it; the events read are then
+     * only a part, however well the reading ends.
+     */
     private void lookForGrowth() {
         try {
             long size = file.size();
@@ -250,18 +256,18 @@ public abstract class RecordingReader implements EventSource {
                         + "but had " + file.sizeAtFirst() + " bytes at first and has " + size + " now");
             }
         } catch (IOException e) {
-            // what was read was read
+            // the events read stay valid
             return;
         }
     }
 
-    /** What is wrong with a recording of which too many events are out of order; null where they are not. */
+    /** The exception for a recording with too many events out of order; null where there are few. */
     private EventSourceException disorder() {
         String disorder = closed ? null : timeFaults.disorder(decoded);
         return disorder == null ? null : new MalformedRecordingException("[" + file.name + "] " + disorder);
     }
 
-    /** Gives back what a format holds beside the file. */
+    /** Releases the resources that a format holds besides the file. */
     void release() {
     }
 
@@ -279,17 +285,17 @@ public abstract class RecordingReader implements EventSource {
         }
     }
 
-    /** Keeps what the user should know, and what is no fault of the recording. */
+    /** Keeps a note for the user that is no fault of the recording. */
     final void addNote(String note) {
         notes.add(note);
     }
 
-    /** Keeps a fault that does not end the reading; the kind is what faults are counted by. */
+    /** Keeps a fault that does not end the reading; faults are counted by kind. */
     final void addFault(String kind, Supplier<String> message) {
         faults.add(kind, message);
     }
 
-    /** Notes where event n of the batch lies, before it is decoded further. */
+    /** Notes the number and place of event n of the batch, before the event is decoded further. */
     final void note(int n, long offset) {
         numbers[n] = eventNumber(n);
         places[n] = offset;
@@ -301,12 +307,14 @@ public abstract class RecordingReader implements EventSource {
         decoded += n;
     }
 
-    /** The number, from 0, of the event that follows those decoded, those dropped and n more of this batch. */
+    /**
+     * The number, from 0, of the event that follows all events decoded, all events dropped and n more of this batch.
+     */
     final long eventNumber(int n) {
         return decoded + outside.count() + invalid + n;
     }
 
-    /** The time of something beside the events, on the clock of those. */
+    /** Converts the time of a record other than an event to the clock of the delivered events. */
     final long timeOf(long fileUs) {
         return order.timeOf(fileUs);
     }
@@ -327,20 +335,20 @@ public abstract class RecordingReader implements EventSource {
         addFault("outside", () -> at(event, offset) + sensor.brokenRule(x, y));
     }
 
-    /** Notes that the sensor is the one that the caller named, and not one that the recording names. */
+    /** Notes that the caller named the sensor, not the recording. */
     final void chipIsAsked() {
         chipIsAsked = true;
     }
 
-    /** Whether the sensor is the one that the caller named. */
+    /** Whether the caller named the sensor. */
     final boolean isChipAsked() {
         return chipIsAsked;
     }
 
     /**
-     * Checks that the events read so far lie on the sensor, but for few.
+     * Checks that all but a few of the events read so far lie on the sensor.
      *
-     * @throws MalformedRecordingException where they do not
+     * @throws MalformedRecordingException where too many lie outside
      */
     final void checkPixels(String asked) throws MalformedRecordingException {
         String misfit = outside.misfit(asked, decoded);
@@ -349,7 +357,7 @@ public abstract class RecordingReader implements EventSource {
         }
     }
 
-    /** Where in the file a place of its buffer lies. */
+    /** Converts a place of the buffer to a place in the file. */
     final long offsetOf(int p) {
         return file.offset() - file.position + p;
     }
@@ -359,7 +367,7 @@ public abstract class RecordingReader implements EventSource {
         return new MalformedRecordingException(at(event, offset) + rule);
     }
 
-    /** Names a place, in the grammar of all messages. */
+    /** Names a place in the form that all messages share. */
     String at(long event, long offset) {
         return "[" + file.name + "] event " + event + " at byte " + offset + ": ";
     }

@@ -15,13 +15,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** Opens recordings of every format that is served. */
+/**
+ * Opens recordings of every supported format. The first bytes of a file decide its format, then its extension. Where
+ * the caller names the sensor, the events are checked against it unless the choice is forced.
+ */
 public final class Recordings {
     private static final byte[] AEDAT_MAGIC = "#!AER-DAT".getBytes(StandardCharsets.US_ASCII);
     private static final int VERSION_BYTES = 16;
     private static final int SHORTEST_VERSION_BYTES = 3;
 
-    /** Events that are read to see whether they lie on the sensor. */
+    /** Number of events that are read to check whether they lie on the sensor. */
     private static final int PROBED = 1 << 16;
     private static final int PROBED_BATCH = 4096;
 
@@ -34,15 +37,15 @@ public final class Recordings {
     }
 
     /**
-     * Opens a recording: by the magic at its start, and where it has none by the file's extension ({@code .dat} and
-     * {@code .aedat} are AEDAT 1.0, {@code .bin} is N-MNIST, {@code .txt} and {@code .csv} are text).
+     * Opens a recording. The magic at its start decides its format; where there is none, the file's extension does
+     * ({@code .dat} and {@code .aedat} are AEDAT 1.0, {@code .bin} is N-MNIST, {@code .txt} and {@code .csv} are text).
      *
      * @param path the recording
      * @param options how it is read
      * @return a reader before the first event, to be closed by the caller
-     * @throws MalformedRecordingException where the header is damaged or the format is not served
-     * @throws EventSourceException where the file cannot be read, or the sensor is neither named by the recording nor
-     *     by the options; the message then lists the known ones
+     * @throws MalformedRecordingException where the header is damaged or the format is not supported
+     * @throws EventSourceException where the file cannot be read, or neither the recording nor the options name the
+     *     sensor; the message then lists the known sensors
      */
     public static RecordingReader open(Path path, RecordingOptions options) throws EventSourceException {
         String failed = "[" + Printable.of(path.toString()) + "] cannot be opened: ";
@@ -77,8 +80,8 @@ public final class Recordings {
     }
 
     /**
-     * Reads the first events, to see whether they lie on the sensor that the caller named. What else is wrong is left
-     * to the reading proper.
+     * Reads the first events to check whether they lie on the sensor that the caller named. Other faults are left to
+     * the actual reading.
      */
     private static void checkPixels(Path path, RecordingOptions options) throws IOException, EventSourceException {
         try (RecordingFile file = new RecordingFile(path); RecordingReader reader = readerFor(file, options)) {
@@ -89,7 +92,7 @@ public final class Recordings {
                     batch.clear();
                 }
             } catch (EventSourceException e) {
-                // it is met again
+                // the actual reading meets the fault again
                 batch.clear();
             }
             reader.checkPixels(options.chip());
@@ -151,7 +154,7 @@ public final class Recordings {
                 + (isCut ? " but ended after " + file.available() + " bytes" : ""));
     }
 
-    /** A format that says nothing of its sensor. */
+    /** Opens a format that does not state its sensor. */
     @FunctionalInterface
     private interface Unnamed {
         RecordingReader open(RecordingFile file, RecordingOptions options, ChipChoice choice)
@@ -166,7 +169,7 @@ public final class Recordings {
         return reader;
     }
 
-    /** RAW and DAT have one kind of header; each says something that the other never does. */
+    /** Opens RAW or DAT. Both have the same kind of header, but each states something that the other never does. */
     private static RecordingReader prophesee(RecordingFile file, RecordingOptions options)
             throws IOException, EventSourceException {
         PropheseeHeader header = PropheseeHeader.read(file);
@@ -254,10 +257,11 @@ public final class Recordings {
     }
 
     /**
-     * {@return the smallest usual sensor that holds all events of a recording} A guess for recordings that name none.
+     * {@return the smallest usual sensor that holds all events of a recording} This is a guess for recordings that name
+     * none.
      *
      * @param path the recording
-     * @param options whose chip is not used
+     * @param options how the recording is read; the chip in the options is not used
      * @throws EventSourceException where the recording cannot be opened
      */
     public static SensorSize smallestSensor(Path path, RecordingOptions options) throws EventSourceException {
@@ -274,7 +278,7 @@ public final class Recordings {
                     }
                 }
             } catch (EventSourceException e) {
-                // it is met again when the recording is read
+                // the actual reading meets the fault again
                 batch.clear();
             }
         }
@@ -284,7 +288,8 @@ public final class Recordings {
     }
 
     /**
-     * {@return whether a text file's first lines read as events: what a folder is searched for among other texts}
+     * {@return whether the first lines of a text file read as events} This distinguishes recordings from other texts in
+     * a folder.
      *
      * @param path the recording
      */
@@ -296,7 +301,7 @@ public final class Recordings {
         }
     }
 
-    /** What follows the magic up to the line's end; null where the file does not start with the magic. */
+    /** The version that follows the magic on the first line; null where the file does not start with the magic. */
     private static String aedatVersion(RecordingFile file) throws IOException, MalformedRecordingException {
         file.require(AEDAT_MAGIC.length + VERSION_BYTES);
         if (file.available() == 0) {

@@ -2,7 +2,7 @@ package io.github.sofas.recording;
 
 import io.github.sofas.event.EventSourceException;
 
-/** Neither a recording nor the caller names its sensor. */
+/** Neither the recording nor the caller names the sensor. */
 public final class SensorNotNamedException extends EventSourceException {
     private static final long serialVersionUID = 1L;
 
@@ -19,7 +19,7 @@ public final class SensorNotNamedException extends EventSourceException {
         return takesSize;
     }
 
-    /** The same, with more to its message. */
+    /** Returns the same exception with more text in its message. */
     SensorNotNamedException with(String more) {
         return new SensorNotNamedException(getMessage() + more, takesSize);
     }

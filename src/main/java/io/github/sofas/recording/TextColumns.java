@@ -9,17 +9,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Which field of a text recording's lines is what.
+ * The columns of a text recording: which field of a line holds what.
  *
- * @param names all columns, in the order of the fields
- * @param time index of the time's field
- * @param x index of the column's
- * @param y index of the row's
- * @param polarity index of the polarity's
- * @param unit that the name of the time says; null where it does not
+ * @param names names of all columns, in the order of the fields
+ * @param time index of the field with the time
+ * @param x index of the field with the column
+ * @param y index of the field with the row
+ * @param polarity index of the field with the polarity
+ * @param unit unit in the name of the time column; null where it has none
  */
 public record TextColumns(List<String> names, int time, int x, int y, int polarity, TextTimeUnit unit) {
-    /** Without a header and without being told: as the data sets of the Robotics and Perception Group have it. */
+    /** Columns where neither header nor user names any: those of the Robotics and Perception Group's data sets. */
     static final TextColumns USUAL = new TextColumns(List.of("t", "x", "y", "polarity"), 0, 1, 2, 3, null);
 
     private static final Pattern TIME = Pattern.compile("(?:t|ts|time|times|timestamp|timestamps)[ _]?[\\[(]?"
@@ -36,8 +36,9 @@ public record TextColumns(List<String> names, int time, int x, int y, int polari
     /**
      * Finds the columns by their names.
      *
-     * @param names as a header or the user writes them; others than those of time, x, y and polarity are passed over
-     * @return nothing where one of the four is missing or comes twice
+     * @param names names as a header or the user writes them; names other than those of time, x, y and polarity are
+     *     ignored
+     * @return the columns; nothing where one of the four is missing or comes twice
      */
     static Optional<TextColumns> named(List<String> names) {
         int[] at = new int[4];
@@ -60,7 +61,7 @@ public record TextColumns(List<String> names, int time, int x, int y, int polari
                 : Optional.of(new TextColumns(List.copyOf(names), at[0], at[1], at[2], at[3], unit));
     }
 
-    /** The order that a file has whose time is in a field of this number, as the user would write it. */
+    /** The column order of a file with its time in the given field, as the user would write it. */
     static String withTimeAt(int field) {
         List<String> names = new ArrayList<>(List.of("x", "y", "p"));
         names.add(field, "t");

@@ -10,15 +10,15 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * How a text recording is laid out: told by the user, by a header, or by its first lines and its last one.
+ * The layout of a text recording, given by the user or a header, or found from the first and last lines.
  *
- * @param columns which field is what
+ * @param columns which field holds what
  * @param separator a comma, semicolon or tab that separates fields, so that some may be empty; 0 where any blanks, tabs
- *     and commas do
- * @param unit of the times
- * @param bodyAt byte at which the first line behind the header begins
- * @param headerLines how many lines lie before it
- * @param note what was taken for true though nothing says it; null where nothing was
+ *     and commas separate them
+ * @param unit unit of the times
+ * @param bodyAt byte at which the first line after the header begins
+ * @param headerLines number of lines before that byte
+ * @param note message about an assumption that nothing states; null where there was none
  */
 record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bodyAt, int headerLines, String note) {
     private static final byte[] BOM = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
@@ -27,28 +27,28 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
     private static final int MOST_SAMPLED = 250;
     private static final int TAIL_BYTES = 4096;
 
-    /** Fewer whole numbers than these say nothing of their unit. */
+    /** Fewer whole numbers than this do not determine their unit. */
     private static final int FEWEST_WHOLE = 10;
-    /** Of so many events the rate means something. */
+    /** Number of events from which on the rate is meaningful. */
     private static final int FEWEST_FOR_RATE = 100;
-    /** No recording is longer: 12 days. */
+    /** No recording is longer than this, in s: 12 days. */
     private static final double LONGEST_S = 1e6;
-    /** Mean rates that recordings have, events/s: from a few pixels that move to the limit of the largest sensors. */
+    /** Mean rates of recordings, in events/s: from a few moving pixels to the limit of the largest sensors. */
     private static final double SLOWEST = 100;
     private static final double FASTEST_WHOLE = 2e7;
     private static final double FASTEST = 2e8;
-    /** Times of the clock that counts from 1970, in ns: no camera's own clock gets there. */
+    /** Times of a clock that counts from 1970, in ns: no camera's own clock reaches them. */
     private static final double EPOCH_NS = 9e17;
-    /** Of times in any unit; larger numbers are damage. */
+    /** Largest time, in any unit; larger numbers are damage. */
     private static final double MOST = 1e20;
     private static final int FEW = 5;
     private static final int FEWEST_FOR_ORDER = 10;
     private static final double MOST_FALLS = 0.1;
 
     /**
-     * Looks at the start and the end of a file, which stays where it is.
+     * Finds the layout from the start and the end of a file. The position in the file does not change.
      *
-     * @throws MalformedRecordingException where columns or unit must be told
+     * @throws MalformedRecordingException where the user must give columns or unit
      */
     static TextLayout of(RecordingFile file, RecordingOptions options)
             throws IOException, MalformedRecordingException {
@@ -73,7 +73,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         return new TextLayout(known, header.separator, unit, header.bodyAt - file.position, header.lines, note);
     }
 
-    /** Whether a file's start reads as events: what a folder is searched for among other texts. */
+    /** Whether the start of a file reads as events, which distinguishes recordings from other texts in a folder. */
     static boolean fits(RecordingFile file) throws IOException {
         try {
             TextLayout layout = of(file, RecordingOptions.defaults().withTimeUnit(TextTimeUnit.US));
@@ -117,7 +117,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         return new MalformedRecordingException("[" + file.name + "] line " + line + ": " + rule);
     }
 
-    /** What lies before the first event: comments, of which one may name the columns, and a line with their names. */
+    /** The part before the first event: comments, one of which may name the columns, and a line with their names. */
     private static final class Header {
         private final boolean isTold;
         private TextColumns columns;
@@ -146,7 +146,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
             return header;
         }
 
-        /** Takes a line, and says whether nothing of the header follows. */
+        /** Takes a line and returns whether no line of the header follows. */
         private boolean isLast(String text, int line, int next, RecordingFile file)
                 throws MalformedRecordingException {
             boolean isComment = text.startsWith("#");
@@ -173,7 +173,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         }
     }
 
-    /** The first lines, and what they say of the whole. */
+    /** The first lines, as a sample of the whole recording. */
     private static final class Sample {
         private final List<BigDecimal> times = new ArrayList<>();
         /** How often each of the first four fields fell from one line to the next. */
@@ -233,7 +233,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
             times.add(exact);
         }
 
-        /** The last lines, so that the span is that of the whole recording. */
+        /** Takes the last lines, so that the span of time is that of the whole recording. */
         private void addLast(RecordingFile file, char separator, TextColumns columns) throws IOException {
             String[] lines = file.tail(TAIL_BYTES).split("\n");
             Sample tail = new Sample();
@@ -243,7 +243,10 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
             last = tail.times.isEmpty() ? times : tail.times;
         }
 
-        /** From the first lines to the last; the middle one of a few each, so that a damaged time does not count. */
+        /**
+         * The span of time from the first lines to the last. Each end is the middle time of a few lines, so that a
+         * damaged time does not count.
+         */
         private double span() {
             int few = Math.min(FEW, last.size());
             return middle(last.subList(last.size() - few, last.size()))
@@ -254,7 +257,10 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
             return some.stream().sorted().skip(some.size() / 2).findFirst().orElse(BigDecimal.ZERO);
         }
 
-        /** Without a header and without being told, the first field must be the time: it does not fall. */
+        /**
+         * Checks that the first field can be the time, which does not fall, where neither header nor user names
+         * columns.
+         */
         void checkOrder(RecordingFile file) throws MalformedRecordingException {
             int most = (int) (MOST_FALLS * times.size());
             if (times.size() < FEWEST_FOR_ORDER || falls[0] <= most) {
@@ -270,9 +276,9 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         }
 
         /**
-         * The unit that the numbers show.
+         * Determines the unit that the numbers indicate.
          *
-         * @throws MalformedRecordingException where they fit none well enough
+         * @throws MalformedRecordingException where they fit no unit well enough
          */
         TextTimeUnit unit(RecordingFile file) throws MalformedRecordingException {
             if (times.isEmpty()) {
@@ -302,7 +308,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
                     + "; use --time s, ms, us or ns");
         }
 
-        /** Whether all times are apart by thousands, as those are that were µs and are written as ns. */
+        /** Whether all times differ by thousands, as times do that were µs and are written as ns. */
         private boolean areThousands() {
             BigDecimal thousand = BigDecimal.valueOf(1000);
             boolean differ = false;
@@ -316,7 +322,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
             return differ;
         }
 
-        /** How long the recording would be, and its mean rate. */
+        /** The number of events, the duration and the mean rate that the recording would have in this unit. */
         String rate(TextTimeUnit unit) {
             double span = unit.seconds(span());
             String about = "about " + rounded(events, 2) + " events in " + rounded(span, 3) + " s";

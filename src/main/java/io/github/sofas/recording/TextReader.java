@@ -7,19 +7,19 @@ import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads text: one event a line, its columns and unit of time as {@link TextLayout} finds them; without header or option
- * {@code t x y p}, with t in seconds, x right, y down, p 1 for ON and 0 (or -1) for OFF, separated by blanks, tabs or
- * commas (the data sets of the Robotics and Perception Group, Zurich). Empty lines and lines that start with {@code #}
- * are passed over. Times are rounded to µs. Holds one file buffer.
+ * Reads text with one event per line. {@link TextLayout} finds the columns and the unit of time. Without header or
+ * option, a line is {@code t x y p} as in the data sets of the Robotics and Perception Group, Zurich: t in seconds, x
+ * right, y down, p 1 for ON and 0 (or -1) for OFF, separated by blanks, tabs or commas. Empty lines and lines that
+ * start with {@code #} are skipped. Times are rounded to µs. Holds one file buffer.
  */
 final class TextReader extends RecordingReader {
-    /** Of any line; one that is longer is no event. */
+    /** Length limit of a line; a longer line is no event. */
     private static final int MAX_LINE_BYTES = 4096;
     private static final int SHOWN_CHARACTERS = 60;
-    /** So that µs fit into a long with room to spare: 31,000 years. */
+    /** Limit of times, in s, so that µs fit into a long with room to spare: 31,000 years. */
     private static final BigDecimal MAX_SECONDS = BigDecimal.valueOf(1_000_000_000_000L);
     private static final int SECOND_DIGITS = 6;
-    /** Digits of µs that surely fit into a long. */
+    /** Number of digits of µs that surely fit into a long. */
     private static final int MAX_FAST_DIGITS = 18;
     private static final int MAX_INTEGER_DIGITS = 6;
     private static final String TRUE = "true";
@@ -47,7 +47,7 @@ final class TextReader extends RecordingReader {
         file.position += layout.bodyAt();
     }
 
-    /** Finds out how the file is laid out, and makes a reader at the first event. */
+    /** Finds the layout of the file and makes a reader at the first event. */
     static TextReader open(RecordingFile file, RecordingOptions options, ChipChoice choice)
             throws IOException, MalformedRecordingException {
         TextReader reader = new TextReader(file, options, TextLayout.of(file, options), choice);
@@ -172,7 +172,10 @@ final class TextReader extends RecordingReader {
         return character == ' ' || character == '\t' || character == '\r' || character == '"';
     }
 
-    /** The time of the line, without the rounding of a double: 1.4e9 s with 9 decimals does not fit into one. */
+    /**
+     * The time of the line in µs. It is computed without the rounding of a double, into which 1.4e9 s with 9 decimals
+     * does not fit.
+     */
     private long microseconds(int start, int end) throws MalformedRecordingException {
         byte[] buffer = file.buffer;
         int p = fieldAt[columns.time()];
@@ -211,7 +214,7 @@ final class TextReader extends RecordingReader {
         return negative ? -value : value;
     }
 
-    /** Times with an exponent, long ones, and what is no number. */
+    /** Reads times with an exponent and long ones, and refuses fields that are no number. */
     private long unusualMicroseconds(int start, int end) throws MalformedRecordingException {
         String text = text(fieldAt[columns.time()], fieldEnd[columns.time()]);
         try {
@@ -242,7 +245,7 @@ final class TextReader extends RecordingReader {
             p++;
         }
         int value = 0;
-        // So few that no value overflows; no sensor has so many columns.
+        // So few digits that no value overflows; no sensor has so many columns.
         boolean valid = p < fieldEndAt && fieldEndAt - p <= MAX_INTEGER_DIGITS;
         for (; valid && p < fieldEndAt; p++) {
             valid = isDigit(buffer[p]);
@@ -254,7 +257,7 @@ final class TextReader extends RecordingReader {
         return negative ? -value : value;
     }
 
-    /** Where a field ends without a fraction of zeros, which tables of floating-point numbers write. */
+    /** The end of a field without a fraction of zeros, which tables of floating-point numbers contain. */
     private int wholeEnd(int from, int end) {
         byte[] buffer = file.buffer;
         int p = end;
@@ -288,13 +291,13 @@ final class TextReader extends RecordingReader {
         return new String(file.buffer, from, to - from, StandardCharsets.ISO_8859_1);
     }
 
-    /** A line in a message: one that is long, or not text at all, must not fill the screen. */
+    /** Quotes a line for a message: a long line, or one that is not text at all, must not fill the screen. */
     private String shown(int start, int end) {
         String all = text(start, Math.min(end, start + SHOWN_CHARACTERS)).strip();
         return "\"" + Printable.of(all) + (end - start > SHOWN_CHARACTERS ? "..." : "") + "\"";
     }
 
-    /** Text has lines instead of bytes. */
+    /** Names the line, because text has lines instead of bytes. */
     @Override
     String at(long event, long lineNumber) {
         return "[" + file.name + "] line " + lineNumber + ": ";

@@ -3,7 +3,7 @@ package io.github.sofas.recording;
 import java.util.Locale;
 import java.util.Optional;
 
-/** A unit that the times of a text recording may have. */
+/** Unit of the times of a text recording. */
 public enum TextTimeUnit {
     /** Seconds. */
     S(6),
@@ -14,7 +14,7 @@ public enum TextTimeUnit {
     /** Nanoseconds; rounded to microseconds. */
     NS(-3);
 
-    /** Digits by which a number of this unit is moved to the left to be one of µs. */
+    /** Number of digits by which a number of this unit is shifted to the left to become µs. */
     final int digits;
 
     TextTimeUnit(int digits) {
@@ -22,7 +22,7 @@ public enum TextTimeUnit {
     }
 
     /**
-     * {@return the unit of a symbol: s, ms, us (µs) or ns, or the word for it, in upper or lower case}
+     * {@return the unit of a symbol: s, ms, us (µs) or ns, or the word for it}
      *
      * @param symbol in upper or lower case
      */
@@ -52,13 +52,13 @@ public enum TextTimeUnit {
         }
     }
 
-    /** Its symbol, in letters of ASCII. */
+    /** Returns the unit's symbol in ASCII letters. */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** How many seconds a number of this unit is. */
+    /** Converts a number of this unit to seconds. */
     double seconds(double number) {
         return number * Math.pow(10, digits - 6);
     }

@@ -1,11 +1,11 @@
 package io.github.sofas.recording;
 
 /**
- * Times of a recording that are out of order, as {@link TimeOrder} finds them: told and counted, or the end of the
- * reading where that is strict.
+ * Reports and counts the times of a recording that are out of order, as {@link TimeOrder} finds them. Where the reading
+ * is strict, the first of them ends it.
  */
 final class TimeFaults {
-    /** Where a larger share of the events is out of order, it is not some that are damaged. */
+    /** A larger share of events out of order cannot be explained by some damaged events. */
     private static final double MOST_OUT_OF_ORDER = 0.1;
     private static final int FEWEST_FOR_ORDER = 100;
 
@@ -21,20 +21,20 @@ final class TimeFaults {
         this.strict = strict;
     }
 
-    /** Counts an event whose time is below one before it, and which gets the time of that. */
+    /** Counts an event whose time is below that of an earlier event, and which gets that event's time. */
     void stepBack(long timeUs, long event, long offset) throws MalformedRecordingException {
         outOfOrder("time", event, offset, rule(timeUs), "");
         stepsBack++;
     }
 
-    /** Counts an event whose time is damaged, and which is not delivered. */
+    /** Counts an event whose time is damaged; the event is not delivered. */
     void damaged(long timeUs, long event, long offset) throws MalformedRecordingException {
         outOfOrder("jump", event, offset, "malformed, time must go on from " + reader.lastTimeUs() + " us but was "
                 + timeUs + " us", ", from which the next events do not go on; the event was dropped");
         damagedTimes++;
     }
 
-    /** Counts that the clock started again; time goes on from the greatest before. */
+    /** Counts a restart of the clock; time continues from the greatest time before. */
     void restarts(long timeUs, long event, long offset) throws MalformedRecordingException {
         outOfOrder("restart", event, offset, rule(timeUs), ", from where it goes on; "
                 + (reader.lastTimeUs() - timeUs) + " us were added from there on");
@@ -59,9 +59,9 @@ final class TimeFaults {
     }
 
     /**
-     * What is wrong where too many events are out of order for some damage; null where they are not.
+     * The fault of a recording with more events out of order than some damage explains; null where there are few.
      *
-     * @param decoded how many events there were
+     * @param decoded number of events decoded
      */
     String disorder(long decoded) {
         long outOfOrder = stepsBack + damagedTimes;
@@ -69,12 +69,12 @@ final class TimeFaults {
             : "malformed, events must be in order of time but " + outOfOrder + " of " + decoded + " were not";
     }
 
-    /** Events that got the time of one before. */
+    /** Number of events that got the time of an earlier one. */
     long stepsBack() {
         return stepsBack;
     }
 
-    /** Events that were dropped. */
+    /** Number of events that were dropped. */
     long damagedTimes() {
         return damagedTimes;
     }

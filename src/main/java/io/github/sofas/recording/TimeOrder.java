@@ -6,28 +6,34 @@ import java.util.Arrays;
 /**
  * Puts the times of a recording's events in order, for every format.
  *
- * <p>A time that goes on by more than {@value #JUMP_US} µs, or falls by more than {@value #FAR_US} µs, is a jump. It is
- * believed where the events that follow go on from it: after a pause, or where a clock was set back. Where they do not,
- * the one event is damaged, not all that follow: it is left out. Shorter steps back are steps of single events; such an
- * event gets the greatest time before it.
+ * <p>A time that advances by more than {@value #JUMP_US} µs, or falls by more than {@value #FAR_US} µs, is a jump. A
+ * jump is believed where the following events continue from it: after a pause, or where a clock was set back. Where
+ * they do not, only this one event is damaged, not all that follow, and it is dropped. A shorter step back is that of a
+ * single event; such an event gets the greatest time before it.
  */
 final class TimeOrder {
-    /** Where a damaged time moved no later event by more than this, nothing is gained by looking further. */
+    /**
+     * Advances up to this, in µs, are not checked: nothing is gained where a damaged time moved no later event by more.
+     */
     static final long JUMP_US = 10_000;
-    /** Steps back of more than this are of the clock, or damage. */
+    /** Larger steps back, in µs, come from the clock or from damage. */
     static final long FAR_US = 1_000_000;
-    /** Beyond it (31,700 years, 18 digits) no clock is right, and sums of times do not fit into 64 bits. */
+    /**
+     * Largest time, in µs. Beyond it (31,700 years, 18 digits) no clock is right, and sums of times overflow 64 bits.
+     */
     static final long MOST_US = 999_999_999_999_999_999L;
 
-    /** How many events are asked whether a jump is true. */
+    /** Number of following events that decide whether a jump is real. */
     private static final int WITNESSES = 8;
-    /** The same for one of more than {@link #FAR_US}: a packet may hold thousands of events of one damaged time. */
+    /**
+     * The same for a jump of more than {@link #FAR_US}: a packet may hold thousands of events with one damaged time.
+     */
     private static final int MANY_WITNESSES = 4096;
-    /** So few cannot say which of them is damaged. */
+    /** Fewer witnesses than this cannot show which event is damaged. */
     private static final int FEWEST_WITNESSES = 4;
-    /** One in so many may be damaged itself. */
+    /** One in this number of witnesses may be damaged itself. */
     private static final int DAMAGED_SHARE = 4;
-    /** A first or last event is as far from the others only where its time is damaged. */
+    /** A first or last event is this far from the others, in µs, only where its time is damaged. */
     private static final long ALONE_US = 60_000_000;
     private static final int ALONE_FACTOR = 100;
 
@@ -61,7 +67,7 @@ final class TimeOrder {
         return end - at;
     }
 
-    /** Forgets what waits. */
+    /** Forgets the waiting events. */
     void end() {
         at = 0;
         end = 0;
@@ -77,14 +83,14 @@ final class TimeOrder {
         return firstUs;
     }
 
-    /** What a time of the file is on the clock of the events delivered. */
+    /** Converts a time of the file to the clock of the delivered events. */
     long timeOf(long otherFileUs) {
         return started ? timeUs + reader.step(fileUs, otherFileUs) : otherFileUs;
     }
 
     /**
-     * Gives the events of a batch that was just decoded their times, up to the first that is not simply the next. That
-     * one and those behind it wait.
+     * Sets the times of the events of a freshly decoded batch, up to the first event that does not simply come next.
+     * That event and those after it wait.
      */
     void takeRegular(EventBatch batch, long[] numbers, long[] places) {
         long[] times = batch.timeUs;
@@ -135,9 +141,9 @@ final class TimeOrder {
     }
 
     /**
-     * Appends events that wait to a batch, until it is full or one needs more events behind it.
+     * Appends waiting events to a batch, until the batch is full or an event needs more events after it.
      *
-     * @param last whether no more events follow those that wait
+     * @param last whether no more events follow the waiting ones
      * @throws MalformedRecordingException at a time out of order where the reading is strict
      */
     void putWaiting(EventBatch batch, boolean last) throws MalformedRecordingException {
@@ -195,7 +201,7 @@ final class TimeOrder {
         at++;
     }
 
-    /** Whether what follows goes on from the event at {@code at} and not from those before. */
+    /** Whether the following events continue from the event at {@code at}, not from the events before it. */
     private boolean isConfirmed(long step, int witnesses) {
         if (witnesses == 0) {
             boolean isAlone = started && step > ALONE_US && step > timeUs - firstUs && inOrder >= ALONE_FACTOR;

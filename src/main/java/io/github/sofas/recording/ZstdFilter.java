@@ -5,7 +5,7 @@ import com.github.luben.zstd.ZstdException;
 import io.jhdf.exceptions.HdfFilterException;
 import io.jhdf.filter.Filter;
 
-/** Unpacks chunks of HDF5 that are a frame of Zstandard (filter 32015). Safe for many threads. */
+/** Unpacks chunks of HDF5 that are Zstandard frames (filter 32015). Safe for many threads. */
 final class ZstdFilter implements Filter {
     private static final int ID = 32015;
     private static final int MOST_BYTES = 128 << 20;
