@@ -43,7 +43,7 @@ public class FlowPlaneBenchmark {
         EventBatch batch = events.next();
         for (int i = 0; i < batch.size(); i++) {
             plane.add(batch.x[i], batch.y[i], batch.timeUs[i], batch.polarity[i]);
-            if (plane.isToSettle(batch.timeUs[i])) {
+            if (plane.mustSettle(batch.timeUs[i])) {
                 plane.settle(batch.timeUs[i]);
             }
         }

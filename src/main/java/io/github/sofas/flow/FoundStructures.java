@@ -36,7 +36,7 @@ final class FoundStructures implements Structures {
     }
 
     @Override
-    public void tell(Recognition to, long nowUs) {
+    public void report(Recognition to, long nowUs) {
         for (int i = 0; i < stack.size(); i++) {
             TrackPlane plane = stack.plane(i);
             if (plane.isPredictive() && plane.isVelocityKnown()) {

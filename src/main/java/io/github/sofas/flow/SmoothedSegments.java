@@ -43,7 +43,7 @@ final class SmoothedSegments {
             events += other.events;
         }
 
-        Segment tell(Segment causal, int label, int mergedInto) {
+        Segment segment(Segment causal, int label, int mergedInto) {
             return new Segment(label, events == 0 ? causal.firstTimeUs() : firstUs,
                 events == 0 ? causal.lastTimeUs() : lastUs, events, causal.vxPxPerS(), causal.vyPxPerS(),
                 causal.turnRadPerS(), causal.growthPerS(), causal.minX(), causal.minY(), causal.maxX(), causal.maxY(),
@@ -87,10 +87,10 @@ final class SmoothedSegments {
                 tally.add(batch.timeUs[i]);
             }
         }
-        tellOfEnded();
+        reportEnded();
     }
 
-    private void tellOfEnded() {
+    private void reportEnded() {
         boolean isAnyOver = false;
         for (int label : List.copyOf(ending.keySet())) {
             if (wasJoined(label)) {
@@ -107,32 +107,32 @@ final class SmoothedSegments {
                 alive.add(smoother.label(segment));
             }
         }
-        boolean isAnyTold;
+        boolean isAnyReported;
         do {
             // a segment that waited for one just reported may be over now, too
-            isAnyTold = tellOfEnded(alive);
-        } while (isAnyTold);
+            isAnyReported = reportEnded(alive);
+        } while (isAnyReported);
     }
 
-    private boolean tellOfEnded(Set<Integer> alive) {
-        boolean isAnyTold = false;
+    private boolean reportEnded(Set<Integer> alive) {
+        boolean isAnyReported = false;
         for (Map.Entry<Integer, Segment> next : List.copyOf(ending.entrySet())) {
             int label = next.getKey();
             Segment segment = next.getValue();
             boolean isMerged = segment.fate() == Segment.Fate.MERGED;
             if (smoother.isOver(label) && !alive.contains(label) && !awaitsMerged(label)) {
-                isAnyTold = true;
+                isAnyReported = true;
                 ending.remove(label);
                 Tally own = tallies.containsKey(label) ? tallies.remove(label) : new Tally();
-                Segment told = own.tell(segment, label, isMerged ? smoother.endOf(label) : 0);
+                Segment whole = own.segment(segment, label, isMerged ? smoother.endOf(label) : 0);
                 if (isMerged) {
-                    tallies.computeIfAbsent(told.mergedInto(), id -> new Tally()).add(own);
+                    tallies.computeIfAbsent(whole.mergedInto(), id -> new Tally()).add(own);
                 }
-                ended.accept(told);
+                ended.accept(whole);
                 smoother.forget(label);
             }
         }
-        return isAnyTold;
+        return isAnyReported;
     }
 
     /** Whether another label that merged into this one may still have events, which count for this one. */
@@ -169,7 +169,7 @@ final class SmoothedSegments {
         }
         List<Segment> segments = new ArrayList<>();
         newest.forEach((label, segment) ->
-            segments.add(tallies.getOrDefault(label, new Tally()).tell(segment, label, 0)));
+            segments.add(tallies.getOrDefault(label, new Tally()).segment(segment, label, 0)));
         return segments;
     }
 }

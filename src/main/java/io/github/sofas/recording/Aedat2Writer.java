@@ -124,7 +124,7 @@ public final class Aedat2Writer implements Closeable {
     }
 
     /**
-     * Length of the intact part of a file that could not be written to its end: the header and whole records.
+     * {@return the length of the header and the whole records of a file that could not be written to its end}
      *
      * @param bytes length of the file, in bytes
      */

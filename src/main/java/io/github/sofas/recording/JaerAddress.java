@@ -34,7 +34,7 @@ public final class JaerAddress {
     }
 
     /**
-     * Whether the address is that of a change event (DVS), not of an intensity or inertial sample or a trigger.
+     * {@return whether the address is that of a change event (DVS), not of an intensity sample or another record}
      *
      * @param address as the recording holds it
      */

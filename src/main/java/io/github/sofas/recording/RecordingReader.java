@@ -115,10 +115,7 @@ public abstract class RecordingReader implements EventSource {
         return formatName;
     }
 
-    /**
-     * The sensor's name in the recording, or else that given by the caller; empty where only the sensor's size is
-     * known.
-     */
+    /** {@return the sensor's name in the recording, or else the caller's; empty where only the size is known} */
     public final Optional<String> chip() {
         return Optional.ofNullable(chipName);
     }

@@ -59,15 +59,15 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
         }
         Header header = Header.of(file, p, options.columns());
         TextColumns columns = header.columns;
-        boolean isTold = columns != null;
-        TextColumns known = isTold ? columns : TextColumns.USUAL;
+        boolean isGiven = columns != null;
+        TextColumns known = isGiven ? columns : TextColumns.USUAL;
         Sample sample = Sample.of(file, header.bodyAt, header.separator, known, more);
-        if (!isTold) {
+        if (!isGiven) {
             sample.checkOrder(file);
         }
-        TextTimeUnit told = options.timeUnit() != null ? options.timeUnit() : known.unit();
-        TextTimeUnit unit = told != null ? told : sample.unit(file);
-        String note = told != null || !sample.isWhole || sample.times.isEmpty() ? null : "[" + file.name
+        TextTimeUnit given = options.timeUnit() != null ? options.timeUnit() : known.unit();
+        TextTimeUnit unit = given != null ? given : sample.unit(file);
+        String note = given != null || !sample.isWhole || sample.times.isEmpty() ? null : "[" + file.name
                 + "] times are whole numbers without a unit; taken as " + unit + ": " + sample.rate(unit)
                 + "; --time s, ms, us or ns sets another";
         return new TextLayout(known, header.separator, unit, header.bodyAt - file.position, header.lines, note);
@@ -119,19 +119,19 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
 
     /** The part before the first event: comments, one of which may name the columns, and a line with their names. */
     private static final class Header {
-        private final boolean isTold;
+        private final boolean isGiven;
         private TextColumns columns;
         private char separator;
         private int bodyAt;
         private int lines;
 
-        private Header(TextColumns told) {
-            isTold = told != null;
-            columns = told;
+        private Header(TextColumns given) {
+            isGiven = given != null;
+            columns = given;
         }
 
-        static Header of(RecordingFile file, int from, TextColumns told) throws MalformedRecordingException {
-            Header header = new Header(told);
+        static Header of(RecordingFile file, int from, TextColumns given) throws MalformedRecordingException {
+            Header header = new Header(given);
             header.bodyAt = from;
             int at = from;
             int line = 0;
@@ -166,7 +166,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
                 separator = split;
                 bodyAt = next;
                 lines = line;
-            } else if (!isComment && separator == 0 && (isTold || split == ';')) {
+            } else if (!isComment && separator == 0 && (isGiven || split == ';')) {
                 separator = split;
             }
             return !isComment;
@@ -290,7 +290,7 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
                 unit = times.get(0).doubleValue() >= EPOCH_NS || areThousands() ? TextTimeUnit.NS : TextTimeUnit.US;
                 fastest = FASTEST_WHOLE;
                 if (times.size() < FEWEST_WHOLE) {
-                    throw untold(file, "but " + times.size() + " whole numbers do not show it");
+                    throw unknownUnit(file, "but " + times.size() + " whole numbers do not show it");
                 }
             }
             double span = unit.seconds(span());
@@ -298,12 +298,12 @@ record TextLayout(TextColumns columns, char separator, TextTimeUnit unit, int bo
             boolean isSlow = events >= FEWEST_FOR_RATE && events < SLOWEST * span;
             boolean isFast = events >= FEWEST_FOR_RATE && events > fastest * span;
             if (isLong || isSlow || isFast) {
-                throw untold(file, "but as " + unit + " the recording would have " + rate(unit));
+                throw unknownUnit(file, "but as " + unit + " the recording would have " + rate(unit));
             }
             return unit;
         }
 
-        private MalformedRecordingException untold(RecordingFile file, String why) {
+        private MalformedRecordingException unknownUnit(RecordingFile file, String why) {
             return wrong(file, 1, "malformed, the time unit must be given, " + why
                     + "; use --time s, ms, us or ns");
         }

@@ -106,7 +106,7 @@ public final class FlowPlane {
     }
 
     /** Whether enough events wait to be projected, or some have waited long enough. */
-    public boolean isToSettle(long nowUs) {
+    public boolean mustSettle(long nowUs) {
         int waiting = events.head() - settled;
         return waiting == SETTLING || waiting != 0 && nowUs - waitingUs > SETTLING_US;
     }

@@ -72,7 +72,7 @@ public final class Recognition {
     /** Looks anew which structures are tracked. Not to be called while another thread tracks them. */
     void look(long nowUs) {
         knownSize = 0;
-        structures.tell(this, nowUs);
+        structures.report(this, nowUs);
     }
 
     /**

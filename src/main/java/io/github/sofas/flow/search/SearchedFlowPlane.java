@@ -84,7 +84,7 @@ public final class SearchedFlowPlane {
     }
 
     private void settle(long nowUs) {
-        if (plane.isToSettle(nowUs)) {
+        if (plane.mustSettle(nowUs)) {
             plane.settle(nowUs);
         }
     }

@@ -227,7 +227,7 @@ public final class StructureSearch {
             from = pieces.start(piece);
             size = pieces.start(piece + 1) - from;
             letGo();
-            if (size >= p.minEvents() && isNews()) {
+            if (size >= p.minEvents() && hasNewEvents()) {
                 refinement.begin(events, pieces.events(), from, size, projections.vx(projection),
                     projections.vy(projection));
                 stage = Stage.REFINING;
@@ -262,7 +262,7 @@ public final class StructureSearch {
      * Whether enough events of the piece are new: not looked at in vain before, and not taken by another structure by
      * now.
      */
-    private boolean isNews() {
+    private boolean hasNewEvents() {
         int old = 0;
         for (int a = from; a < from + size; a++) {
             int e = pieces.events()[a];

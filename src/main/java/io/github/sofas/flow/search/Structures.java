@@ -19,7 +19,7 @@ public interface Structures {
      * Reports the tracked structures whose motions predict their events and are known along both axes. Not to be called
      * while another thread tracks them.
      */
-    void tell(Recognition to, long nowUs);
+    void report(Recognition to, long nowUs);
 
     /**
      * Notes an event of the past on the contour of a structure, if the structure is still tracked. Not to be called

@@ -80,7 +80,7 @@ final class KnownAgain {
             }
             lost.at(seenUs, last);
             draw(lost, last, -1, slices, lostPicture);
-            double agreement = lostPicture.events() < LEAST || !leadsThere(begun) ? 0
+            double agreement = lostPicture.events() < LEAST || !leadsTo(begun) ? 0
                 : lostPicture.agreement(begunPicture);
             if (agreement > greatest) {
                 greatest = agreement;
@@ -124,7 +124,7 @@ final class KnownAgain {
     /**
      * Whether the lost segment was, or would be, about where the other began, however its motion changed in between.
      */
-    private boolean leadsThere(SegmentPath begun) {
+    private boolean leadsTo(SegmentPath begun) {
         double gap = (begun.firstSeenUs() - seenUs) * 1e-6;
         double x = begunPicture.middleX() - lostPicture.middleX() - 0.5 * gap * (last.vx + first.vx);
         double y = begunPicture.middleY() - lostPicture.middleY() - 0.5 * gap * (last.vy + first.vy);

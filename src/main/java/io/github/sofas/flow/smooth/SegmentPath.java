@@ -133,13 +133,13 @@ final class SegmentPath {
      * the motion of the other takes a point there. One direction is enough, because a piece may not show that it turns.
      */
     boolean movedAsOneWith(SegmentPath other) {
-        return tookAlong(other) || other.tookAlong(this);
+        return carriedAlong(other) || other.carriedAlong(this);
     }
 
     /**
      * Whether another segment went about where the motion of this one takes a point there; turning may be known late.
      */
-    private boolean tookAlong(SegmentPath other) {
+    private boolean carriedAlong(SegmentPath other) {
         long fromUs = Math.max(first().referenceUs, other.first().referenceUs);
         double seconds = (Math.min(last().referenceUs, other.last().referenceUs) - fromUs) * 1e-6 / PARTS;
         double x = 0;

@@ -208,7 +208,7 @@ public final class Smoother {
             noise.perUs()));
         sliceFrom = window.end();
         sliceFromUs = untilUs;
-        knowAgain();
+        findLost();
         refine();
         look(FIRST_LOOK);
         look(AHEAD);
@@ -234,7 +234,7 @@ public final class Smoother {
     }
 
     /** Looks for lost segments among those that began recently. */
-    private void knowAgain() {
+    private void findLost() {
         for (SegmentPath begun : List.copyOf(paths.values())) {
             if (begun.isMeasured() && !begun.hasEnded() && !labels.isGiven(labels.ofPath(begun.id()))) {
                 SegmentPath lost = knownAgain.find(begun, paths.values(), slices);

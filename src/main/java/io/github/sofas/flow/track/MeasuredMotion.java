@@ -14,8 +14,8 @@ final class MeasuredMotion {
 
     private final MeasuredMotions listener;
     /** The last motion that was measured before the structure had a number, if any was. */
-    private final Motion untold = new Motion();
-    private boolean hasUntold;
+    private final Motion unreported = new Motion();
+    private boolean hasUnreported;
     private int id;
     /** Velocity that was measured last, in px/s. */
     private double vx;
@@ -28,7 +28,7 @@ final class MeasuredMotion {
     /** Begins with the velocity of a new structure, which has no number yet. */
     void start(double newVx, double newVy) {
         id = 0;
-        hasUntold = false;
+        hasUnreported = false;
         vx = newVx;
         vy = newVy;
     }
@@ -36,8 +36,8 @@ final class MeasuredMotion {
     /** Gives the structure its number, and reports the motion that was measured before, if any was. */
     void number(int newId) {
         id = newId;
-        if (hasUntold) {
-            listener.measured(id, untold);
+        if (hasUnreported) {
+            listener.measured(id, unreported);
         }
     }
 
@@ -51,8 +51,8 @@ final class MeasuredMotion {
         vx = motion.vx;
         vy = motion.vy;
         if (id == 0) {
-            hasUntold = true;
-            untold.copyFrom(motion);
+            hasUnreported = true;
+            unreported.copyFrom(motion);
         } else {
             listener.measured(id, motion);
         }

@@ -110,7 +110,7 @@ final class Merging {
             return false;
         }
         boolean isAlike = shareMotion(a, b, false, nowUs);
-        companion.note(older, isAlike, Math.min(telling(a), telling(b)), nowUs);
+        companion.note(older, isAlike, Math.min(evidencePxPerS(a), evidencePxPerS(b)), nowUs);
         return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs);
     }
 
@@ -141,7 +141,7 @@ final class Merging {
     }
 
     /** Evidence that the motion of a plane gives per second of what else moves like it, in px. */
-    private static double telling(TrackPlane plane) {
+    private static double evidencePxPerS(TrackPlane plane) {
         return plane.speed() + CHANGE_S * Math.hypot(plane.motion().ax, plane.motion().ay);
     }
 

@@ -86,7 +86,7 @@ final class OneBody {
 
     /** Gain of the metric of their events by one motion, in standard deviations, or {@link #NOTHING}. */
     double sigmasGained(MetricFit fit) {
-        if (!begin(LEAST_EVENTS, fit) || !isTold()) {
+        if (!begin(LEAST_EVENTS, fit) || !showsTurning()) {
             return NOTHING;
         }
         double separately = separately(fit);
@@ -103,7 +103,7 @@ final class OneBody {
             return false;
         }
         motion.omega = 0;
-        if (!isTold()) {
+        if (!showsTurning()) {
             return false;
         }
         double separately = separately(fit);
@@ -160,7 +160,7 @@ final class OneBody {
             } else {
                 fit.stepGrowth(motion, perPx);
             }
-            if (!isTold()) {
+            if (!showsTurning()) {
                 return NOTHING;
             }
             together(fit);
@@ -224,7 +224,7 @@ final class OneBody {
      * Whether rotation and growth shift the ends of the window, at the centres of the parts, by enough to show, and are
      * not too much to be measured.
      */
-    private boolean isTold() {
+    private boolean showsTurning() {
         double turn = Math.hypot(motion.omega, motion.growth) * half;
         return turn * apart / 2 >= LEAST_TURN_PX && turn <= MOST_TURN;
     }

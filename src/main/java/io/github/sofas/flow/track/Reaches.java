@@ -41,7 +41,7 @@ final class Reaches {
     }
 
     /** Whether the boxes are known and hold for a time. */
-    boolean tell(long timeUs) {
+    boolean areKnownAt(long timeUs) {
         return known && timeUs <= untilUs;
     }
 

@@ -90,7 +90,7 @@ public final class TrackPlaneStack {
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         candidates.begin(x, y, timeUs, polarity);
-        if (!reaches.tell(timeUs)) {
+        if (!reaches.areKnownAt(timeUs)) {
             reaches.take(planes, size, timeUs, timeUs + CHECK_US);
         }
         long event = Reaches.event(x, y);

@@ -167,7 +167,7 @@ public class FlowPlaneTest {
         int nextRing = p.search().flowProjections();
         for (Event e : events) {
             plain.add(e);
-            if (fast.isToSettle(e.timeUs())) {
+            if (fast.mustSettle(e.timeUs())) {
                 plain.settle(e.timeUs());
                 if (settlings++ % every == 0) {
                     plain.compare();
@@ -188,16 +188,16 @@ public class FlowPlaneTest {
     @Test
     public void blockIsFullAt256EventsOrAfterTwoMilliseconds() {
         FlowPlane plane = new FlowPlane(32, 24, P.search());
-        assertFalse(plane.isToSettle(1_000_000));
+        assertFalse(plane.mustSettle(1_000_000));
         for (int i = 0; i < 255; i++) {
             plane.add(1, 1, 0, 1);
         }
-        assertFalse(plane.isToSettle(2_000));
-        assertTrue(plane.isToSettle(2_001));
+        assertFalse(plane.mustSettle(2_000));
+        assertTrue(plane.mustSettle(2_001));
         plane.add(1, 1, 0, 1);
-        assertTrue(plane.isToSettle(0));
+        assertTrue(plane.mustSettle(0));
         plane.settle(0);
-        assertFalse(plane.isToSettle(1_000_000));
+        assertFalse(plane.mustSettle(1_000_000));
     }
 
     @Test
@@ -258,7 +258,7 @@ public class FlowPlaneTest {
         FlowPlane plane = new FlowPlane(32, 24, P.search());
         for (Event e : Streams.edge(3, 10, 20, -100, 5_000)) {
             plane.add(e.x(), e.y(), e.timeUs(), e.polarity());
-            if (plane.isToSettle(e.timeUs())) {
+            if (plane.mustSettle(e.timeUs())) {
                 plane.settle(e.timeUs());
             }
         }

@@ -220,7 +220,7 @@ public class StructureSearchTest {
         private int seen;
 
         @Override
-        public void tell(Recognition to, long nowUs) {
+        public void report(Recognition to, long nowUs) {
             Recognition.Known known = to.know(7, 10_000);
             known.motion().set(nowUs, 100, 0);
             known.box().include(0, 0);
@@ -325,7 +325,7 @@ public class StructureSearchTest {
             // each point moves right at 100 px/s
             long timeUs = 10_000L * i / WALL_POINTS;
             plane.add(x[i % WALL_POINTS] + i / WALL_POINTS, y[i % WALL_POINTS], timeUs, i % 2 == 0 ? 1 : -1);
-            if (plane.isToSettle(timeUs)) {
+            if (plane.mustSettle(timeUs)) {
                 plane.settle(timeUs);
             }
             int before = structures.handed;

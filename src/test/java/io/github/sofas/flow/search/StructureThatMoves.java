@@ -29,7 +29,7 @@ class StructureThatMoves implements Structures.Structure, Structures {
     }
 
     @Override
-    public void tell(Recognition to, long nowUs) {
+    public void report(Recognition to, long nowUs) {
     }
 
     @Override

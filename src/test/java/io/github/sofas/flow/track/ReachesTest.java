@@ -56,11 +56,11 @@ public class ReachesTest {
     @Test
     public void boxesTellOfNoTimeBeforeTheyAreTakenAndAfterTheyAreOver() {
         Reaches reaches = new Reaches();
-        assertFalse(reaches.tell(0));
+        assertFalse(reaches.areKnownAt(0));
         reaches.take(new TrackPlane[4], 0, 100, 200);
-        assertTrue(reaches.tell(200));
-        assertFalse(reaches.tell(201));
+        assertTrue(reaches.areKnownAt(200));
+        assertFalse(reaches.areKnownAt(201));
         reaches.forget();
-        assertFalse(reaches.tell(150));
+        assertFalse(reaches.areKnownAt(150));
     }
 }
