@@ -3,13 +3,16 @@ package io.github.sofas.baseline;
 import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
-/** How many events each pixel had in the last so many microseconds, by polarity. */
+/**
+ * Number of events of each pixel and polarity within a maximum age. These counts are the image that
+ * {@link LucasKanade} differentiates.
+ */
 final class EventCounts {
     private final int width;
     private final int pixels;
     private final long maxAgeUs;
     private final int[] counts;
-    // The events that are counted, as a ring in order of time; its length is a power of two.
+    // The counted events in a ring buffer, in order of time; the length of the ring is a power of two.
     private long[] ringTimeUs = new long[1024];
     private int[] ringCell = new int[1024];
     private int oldest;
@@ -22,7 +25,7 @@ final class EventCounts {
         counts = new int[2 * pixels];
     }
 
-    /** Counts an event and forgets those older than the maximum age before it. */
+    /** Counts an event, and forgets the events that are older than this event by more than the maximum age. */
     void add(long timeUs, int x, int y, int polarity) {
         int mask = ringCell.length - 1;
         while (size > 0 && timeUs - ringTimeUs[oldest] > maxAgeUs) {
@@ -42,7 +45,7 @@ final class EventCounts {
         counts[cell]++;
     }
 
-    /** Index into {@link #counts()}; the next column is 1 further, the next row a width. */
+    /** Index into {@link #counts()}; the next column is 1 further, and the next row is one sensor width further. */
     int cell(int x, int y, int polarity) {
         return (polarity > 0 ? pixels : 0) + y * width + x;
     }

@@ -2,7 +2,7 @@ package io.github.sofas.baseline;
 
 import io.github.sofas.flow.FlowOutput;
 
-/** How the methods here write their results. */
+/** Writes the results of the methods of this package, which find flow but no segments. */
 final class Labels {
     /** The segment of every event with flow. */
     static final int WITH_FLOW = 1;
@@ -17,7 +17,7 @@ final class Labels {
         }
     }
 
-    /** A velocity of exactly 0 is no flow. */
+    /** Sets the label of event i; a velocity of exactly 0 means no flow. */
     static void set(FlowOutput output, int i, double vx, double vy) {
         output.vxPxPerS[i] = (float) vx;
         output.vyPxPerS[i] = (float) vy;

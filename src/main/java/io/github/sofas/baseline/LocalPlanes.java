@@ -10,34 +10,40 @@ import java.util.Arrays;
  * Local plane fitting (Benosman et al., "Event-based visual flow", IEEE Transactions on Neural Networks and Learning
  * Systems 25, 2014) in the robust variant of Rueckauer and Delbruck 2016.
  *
- * <p>A moving edge draws a surface t(x, y), the time of the last event at each pixel, by polarity. To the pixels of the
- * 7 x 7 window around an event that had one in the last {@link #MAX_AGE_US}, a plane a x + b y + c t + d = 0 is fitted
- * by total least squares; points farther from it than {@link #MAX_DISTANCE} are dropped and the plane fitted again
- * until none is dropped or the plane moves less than {@link #MIN_MOVE}. Its slope g = -(a, b) / c is the inverse of the
- * velocity across the edge: v = g / |g|² = -c (a, b) / (a² + b²). There is no flow from fewer than four points, nor
- * where |a| and |b| are both below {@link #MIN_SLOPE}, which means absurd speed. An event that follows another of its
- * pixel and polarity within {@link #REFRACTORY_US} is the same edge's echo: it gets no flow and does not move the
- * surface.
+ * <p>A moving edge leaves a surface t(x, y), the time of the last event at each pixel, for each polarity. The points of
+ * an event are the pixels of the 7 x 7 window around it that had an event in the last {@link #MAX_AGE_US}. A plane
+ * a x + b y + c t + d = 0 is fitted to these points by total least squares. Points farther from the plane than
+ * {@link #MAX_DISTANCE} are dropped and the plane is fitted again, until no point is dropped or the plane moves by less
+ * than {@link #MIN_MOVE}. The slope of the plane, g = -(a, b) / c, is the inverse of the velocity across the edge:
+ * v = g / |g|² = -c (a, b) / (a² + b²).
  *
- * <p>What is measured is the flow across the edge, |v| cos of the angle between edge normal and motion: right where an
- * edge moves straight ahead, by design too slow and turned elsewhere.
+ * <p>There is no flow from fewer than four points, nor if |a| and |b| are both below {@link #MIN_SLOPE}, which means an
+ * absurd speed. An event that follows the surface's event of its pixel and polarity within {@link #REFRACTORY_US} is an
+ * echo of the same edge. It gets no flow and does not change the surface.
  *
- * <p>Differs from jAER's LocalPlanesFlow: points are relative to the event, where jAER takes x and y from the sensor's
- * corner and t from the packet's start, so that the bounds on the unit vector mean the same everywhere; the event's own
- * point is always in the fit; speed control, which drops speeds above twice their running mean, is left out.
+ * <p>The method measures the flow across the edge, |v| times the cosine of the angle between edge normal and motion.
+ * This is correct if an edge moves along its normal. Otherwise the flow is, by design, too slow and turned.
+ *
+ * <p>Differences from jAER's LocalPlanesFlow:
+ * <ul>
+ * <li>Points are relative to the event, so that the bounds on the unit vector mean the same everywhere. jAER takes x
+ *     and y from the sensor's corner and t from the packet's start.
+ * <li>The event's own point is always in the fit.
+ * <li>Speed control, which drops speeds above twice their running mean, is left out.
+ * </ul>
  */
 public final class LocalPlanes implements EventLabeller {
-    /** Pixels from the middle of the window to its side: 7 x 7, as Lucas-Kanade's; jAER's default is 5 x 5. */
+    /** Pixels from the centre of the window to its side: 7 x 7, as for Lucas-Kanade. jAER's default is 5 x 5. */
     public static final int WINDOW_RADIUS = 3;
-    /** Older events are no part of the surface, in µs. jAER's default. */
+    /** Age in µs from which events are no longer part of the surface. jAER's default. */
     public static final long MAX_AGE_US = 50_000;
-    /** An event so soon after another of its pixel and polarity gets no flow, in µs. jAER's default. */
+    /** Time in µs after an event within which its pixel and polarity get no flow. jAER's default. */
     public static final long REFRACTORY_US = 50_000;
-    /** Least change of the unit vector (a, b, c, d) that is worth another fit. jAER's th1. */
+    /** Smallest change of the unit vector (a, b, c, d) that is worth another fit. jAER's th1. */
     public static final double MIN_MOVE = 1e-5;
-    /** Greatest |a x + b y + c t + d| of a point that stays. jAER's th2. */
+    /** Greatest |a x + b y + c t + d| of a point that stays in the fit. jAER's th2. */
     public static final double MAX_DISTANCE = 4e-3;
-    /** Least |a| or |b| of a plane that is taken for motion. jAER's th3. */
+    /** Smallest |a| or |b| of a plane that is accepted as motion. jAER's th3. */
     public static final double MIN_SLOPE = 3e-3;
 
     private static final int MIN_POINTS = 4;
@@ -50,7 +56,7 @@ public final class LocalPlanes implements EventLabeller {
     private double vy;
 
     /**
-     * Makes one.
+     * Makes one for a sensor.
      *
      * @param sensor size of the sensor
      */

@@ -9,38 +9,42 @@ import io.github.sofas.flow.FlowOutput;
  * Lucas-Kanade for events (Benosman et al., "Asynchronous frameless event-based optical flow", Neural Networks 27,
  * 2012) as implemented and improved by Rueckauer and Delbruck 2016.
  *
- * <p>With n(x, y) the number of the event's polarity's events at a pixel in the last {@link #MAX_AGE_US}, brightness is
- * taken to be n and its change in time n / T, T that age: over the window W of 7 x 7 pixels around the event
+ * <p>Let n(x, y) be the number of events of the event's polarity at a pixel in the last {@link #MAX_AGE_US}, and T that
+ * age. The method takes n for the brightness and n / T for its change in time. Over the window W of 7 x 7 pixels around
+ * the event, it solves the least-squares problem
  * <pre>
  *   minimise over v   sum over W of (nx vx + ny vy + n / T)²
  * </pre>
- * where nx and ny are differences of n ({@link Derivative}). With the eigenvalues l1 &gt;= l2 of the sum of products
- * of (nx, ny), there is no flow where l1 &lt; 1, normal flow at the centre pixel, v = -(nx, ny) n / (T |(nx, ny)|²),
- * where l2 &lt; 1, and the least-squares solution otherwise.
+ * where nx and ny are differences of n ({@link Derivative}). Let l1 &gt;= l2 be the eigenvalues of the sum over W of
+ * the products of (nx, ny). There is no flow if l1 &lt; 1. If only l2 &lt; 1, the flow is the normal flow at the centre
+ * pixel, v = -(nx, ny) n / (T |(nx, ny)|²). Otherwise the flow is the least-squares solution.
  *
- * <p>Counts are no brightness: they rise while an edge comes and fall only by age, so that the flow is too slow, by
- * 80 % with central differences and by 20 to 40 % with {@link Derivative#SAVITZKY_GOLAY}.
+ * <p>Counts are not brightness: they rise while an edge approaches, but fall only by age. The flow is therefore too
+ * slow, by 80 % with central differences and by 20 to 40 % with {@link Derivative#SAVITZKY_GOLAY}.
  *
- * <p>Differs from jAER's LucasKanadeFlow: events near the border are counted, though not labelled; T is the true age
- * where jAER writes 1 / T = 20 / s for every age, the same at its default; its speed control, which drops speeds above
- * twice their running mean, is left out, as is its shift of time over gaps. With {@link Derivative#SAVITZKY_GOLAY} the
- * change in time is divided by the window's radius, as there: a calibration without a derivation.
+ * <p>As in jAER, {@link Derivative#SAVITZKY_GOLAY} divides the change in time by the window's radius, a calibration
+ * without a derivation. Differences from jAER's LucasKanadeFlow:
+ * <ul>
+ * <li>Events near the border are counted, though not labelled.
+ * <li>T is the true age. jAER writes 1 / T = 20 / s for every age, which is the same at its default age.
+ * <li>Speed control, which drops speeds above twice their running mean, and the shift of time over gaps are left out.
+ * </ul>
  */
 public final class LucasKanade implements EventLabeller {
-    /** Pixels from the middle of the window to its side: 7 x 7. jAER's default. */
+    /** Pixels from the centre of the window to its side: 7 x 7. jAER's default. */
     public static final int WINDOW_RADIUS = 3;
-    /** Events older than this are not counted, in µs. jAER's default. */
+    /** Age in µs above which events are not counted. jAER's default. */
     public static final long MAX_AGE_US = 50_000;
-    /** Smallest eigenvalue that is a gradient, in squared differences summed over the window. jAER's default. */
+    /** Smallest eigenvalue that shows a gradient, in squared differences summed over the window. jAER's default. */
     public static final double MIN_EIGENVALUE = 1;
 
     private static final int WINDOW = (2 * WINDOW_RADIUS + 1) * (2 * WINDOW_RADIUS + 1);
 
-    /** How counts are differentiated. Sums in the eigenvalues' bound are of the differences as they stand here. */
+    /** How counts are differentiated. The bound on the eigenvalues refers to the differences as given here. */
     public enum Derivative {
-        /** n(x) - n(x - 1): the original, pulled to the left and up. */
+        /** n(x) - n(x - 1): the original method, which is biased to the left and up. */
         BACKWARD_DIFFERENCE(1),
-        /** n(x + 1) - n(x - 1), against twice the change in time. jAER's default. */
+        /** n(x + 1) - n(x - 1), compared with twice the change in time. jAER's default. */
         CENTRAL_DIFFERENCE(1),
         /** The slope of the plane fitted to n over the window, the first-order Savitzky-Golay filter. */
         SAVITZKY_GOLAY(0);
@@ -60,8 +64,8 @@ public final class LucasKanade implements EventLabeller {
     private double vy;
 
     /**
-     * Makes one with {@link Derivative#SAVITZKY_GOLAY}, the best of the three: it has the -35 % of magnitude error that
-     * the SOFAS paper found Lucas-Kanade to have.
+     * Makes one with {@link Derivative#SAVITZKY_GOLAY}, the best of the three. It underestimates magnitudes by 21 to
+     * 30 %; the SOFAS paper found 35 % for Lucas-Kanade.
      *
      * @param sensor size of the sensor
      */
@@ -70,10 +74,10 @@ public final class LucasKanade implements EventLabeller {
     }
 
     /**
-     * Makes one.
+     * Makes one with a given derivative.
      *
      * @param sensor size of the sensor
-     * @param derivative how brightness is differentiated
+     * @param derivative how counts are differentiated
      */
     public LucasKanade(SensorSize sensor, Derivative derivative) {
         this.sensor = sensor;
@@ -117,12 +121,12 @@ public final class LucasKanade implements EventLabeller {
         }
     }
 
-    /** Differences between the pixel so far ahead, 0 or 1, and the one behind. */
+    /** Estimates with differences between the pixel that is {@code ahead}, 0 or 1, and the pixel that is 1 behind. */
     private void leastSquares(int centre, int ahead) {
         int width = sensor.width();
         int[] n = counts.counts();
         double perS = (1 + ahead) * 1e6 / MAX_AGE_US;
-        // Sums of integers, exact in a long.
+        // Sums of integers are exact in a long.
         long xx = 0;
         long xy = 0;
         long yy = 0;
@@ -155,7 +159,10 @@ public final class LucasKanade implements EventLabeller {
         vy = (xy * (double) xn - xx * (double) yn) / determinant * perS;
     }
 
-    /** One slope for the whole window: its larger eigenvalue is the window's pixels times its square, the other 0. */
+    /**
+     * Estimates with one slope for the whole window. The larger eigenvalue is the number of pixels times the squared
+     * slope, and the other one is 0.
+     */
     private void slope(int centre) {
         int width = sensor.width();
         int[] n = counts.counts();
@@ -168,7 +175,7 @@ public final class LucasKanade implements EventLabeller {
                 y += dy * n[cell];
             }
         }
-        // Least squares on a centred grid: sum of dx n over sum of dx², 196 for 7 x 7.
+        // Least squares on a centred grid: the sum of dx n over the sum of dx², which is 196 for 7 x 7.
         double squares = WINDOW * WINDOW_RADIUS * (WINDOW_RADIUS + 1) / 3.0;
         double nx = x / squares;
         double ny = y / squares;

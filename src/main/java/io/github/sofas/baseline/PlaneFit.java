@@ -1,8 +1,9 @@
 package io.github.sofas.baseline;
 
 /**
- * Total least squares of a plane a x + b y + c t + d = 0, a² + b² + c² + d² = 1, through points (x, y, t): the
- * eigenvector of the smallest eigenvalue of the sum of (x, y, t, 1)ᵀ (x, y, t, 1). Holds the points, reused.
+ * Total least-squares fit of a plane a x + b y + c t + d = 0, with a² + b² + c² + d² = 1, to points (x, y, t). The
+ * plane is the eigenvector of the smallest eigenvalue of the sum of (x, y, t, 1)ᵀ (x, y, t, 1). Holds the points in
+ * arrays that are reused, so that a fit allocates nothing.
  */
 final class PlaneFit {
     private static final int N = 4;
@@ -37,15 +38,15 @@ final class PlaneFit {
         return size;
     }
 
-    /** (a, b, c, d) of the last fit; overwritten by the next. */
+    /** Returns (a, b, c, d) of the last fit; the next fit overwrites the array. */
     double[] plane() {
         return plane;
     }
 
     /**
-     * Drops points farther than a distance from the last plane.
+     * Drops the points that are farther than a distance from the last plane.
      *
-     * @return whether any was dropped
+     * @return whether any point was dropped
      */
     boolean dropFartherThan(double distance) {
         int kept = 0;
@@ -65,7 +66,7 @@ final class PlaneFit {
     /**
      * Fits the plane to the points.
      *
-     * @return how far (a, b, c, d) moved from the last fit, its sign made free
+     * @return how far (a, b, c, d) moved from the last fit, with the sign chosen that moves it less
      */
     double fit() {
         double[] m = matrix;
@@ -101,8 +102,8 @@ final class PlaneFit {
     }
 
     /**
-     * Jacobi's method: turns the symmetric matrix, of which only the upper half is read, until it is diagonal; the
-     * turns make the eigenvectors, in columns.
+     * Diagonalises a symmetric matrix by Jacobi rotations. Only the upper half of the matrix is read. The product of
+     * the rotations holds the eigenvectors, in columns.
      *
      * @return the column of the smallest eigenvalue
      */
@@ -126,7 +127,7 @@ final class PlaneFit {
         return smallest;
     }
 
-    /** Whether an element off the diagonal still matters to the two on its row and column. */
+    /** Whether an off-diagonal element is still significant beside the diagonal elements of its row and column. */
     private static boolean offDiagonal(double[] m) {
         for (int p = 0; p < N - 1; p++) {
             for (int q = p + 1; q < N; q++) {

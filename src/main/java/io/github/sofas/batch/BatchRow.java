@@ -4,11 +4,11 @@ import java.io.Serializable;
 import java.util.EnumMap;
 import java.util.Map;
 
-/** What became of one recording of a batch. */
+/** The outcome for one recording of a batch: a row of the table that the batch writes, with a value per column. */
 public final class BatchRow implements Serializable {
     /** The outcome of a recording that was read to its end. */
     public static final String COMPLETE = "complete";
-    /** The outcome of a recording that has results up to a damage. */
+    /** The outcome of a recording that is damaged and has results up to the damage. */
     public static final String DAMAGED = "damaged";
     /** The outcome of a recording without results. */
     public static final String FAILED = "failed";
@@ -18,9 +18,9 @@ public final class BatchRow implements Serializable {
     private final EnumMap<BatchColumn, Object> values = new EnumMap<>(BatchColumn.class);
 
     /**
-     * Begins a row.
+     * Begins a row, with the columns that are known before the run.
      *
-     * @param task whose recording it is of
+     * @param task the recording of the row
      */
     public BatchRow(BatchTask task) {
         set(BatchColumn.RECORDING, task.recording().shownAs());
@@ -32,9 +32,9 @@ public final class BatchRow implements Serializable {
     /**
      * Enters a value.
      *
-     * @param column where
-     * @param value of the column's type; null for nothing
-     * @return this
+     * @param column column of the value
+     * @param value value of the column's type; null for none
+     * @return this row
      */
     public BatchRow set(BatchColumn column, Object value) {
         if (value == null) {
@@ -46,10 +46,10 @@ public final class BatchRow implements Serializable {
     }
 
     /**
-     * Enters a value of a column that the summary has, from its text there.
+     * Enters a value from its text in the summary.
      *
-     * @param column where
-     * @param text empty for nothing
+     * @param column column of the value, one that the summary has
+     * @param text the value as text; empty for none
      */
     public void setText(BatchColumn column, String text) {
         if (column.type() == Long.class) {
@@ -62,28 +62,28 @@ public final class BatchRow implements Serializable {
     }
 
     /**
-     * Notes that there are no results.
+     * Notes that the recording has no results.
      *
-     * @param fault why, for the user
-     * @return this
+     * @param fault the reason, for the user
+     * @return this row
      */
     public BatchRow failed(String fault) {
         return set(BatchColumn.OUTCOME, FAILED).set(BatchColumn.FAULT, fault);
     }
 
     /**
-     * {@return a value; null where there is none}
+     * {@return the value of a column; null if there is none}
      *
-     * @param column where
+     * @param column column of the value
      */
     public Object get(BatchColumn column) {
         return values.get(column);
     }
 
     /**
-     * {@return a text; empty where there is none}
+     * {@return the value of a column as text; empty if there is none}
      *
-     * @param column where
+     * @param column column of the value
      */
     public String text(BatchColumn column) {
         Object value = get(column);
@@ -91,16 +91,16 @@ public final class BatchRow implements Serializable {
     }
 
     /**
-     * {@return a number; 0 where there is none}
+     * {@return the value of a column as a number; 0 if there is none}
      *
-     * @param column where
+     * @param column column of the value
      */
     public double number(BatchColumn column) {
         Object value = get(column);
         return value == null ? 0 : ((Number) value).doubleValue();
     }
 
-    /** {@return what was entered} */
+    /** {@return a copy of all values that were entered} */
     public Map<BatchColumn, Object> values() {
         return Map.copyOf(values);
     }

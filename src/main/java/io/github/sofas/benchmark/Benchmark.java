@@ -18,14 +18,15 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /**
- * Measures one recording: the engine on events that are in memory, decoding, writing CSV, and the whole run from file
- * to file. Every part is warmed up, then timed several times; all runs of a part must give one result.
+ * Measures the speed of one recording in parts: the engine on events in memory, with and without a helper; decoding;
+ * writing CSV; and the whole run from file to file. Every part is warmed up and then timed several times. All runs of a
+ * part must give the same result, which a checksum verifies.
  *
- * <p>One thread, and one that helps the engine where that is said. Memory needed is about 30 bytes per event beside the
- * engine's own.
+ * <p>Everything runs in one thread, apart from the thread that helps the engine where a helper is mentioned. A
+ * benchmark needs about 30 bytes per event in addition to the engine's own memory.
  */
 public final class Benchmark {
-    /** As many as the command line labels at once. */
+    /** Number of events per batch, the same as on the command line. */
     static final int BATCH = 4096;
 
     private final RecordingUnderTest recording;
@@ -33,7 +34,7 @@ public final class Benchmark {
     private final Path folder;
     private final Stopwatch stopwatch;
 
-    /** The rates of the parts that need the events in memory, and what the engine was seen to do there. */
+    /** Rates of the parts that need the events in memory, and further figures of the engine from these parts. */
     private record InMemory(long size, Rates engine, Rates helped, Rates csv, EngineFigures figures) {
     }
 
@@ -47,11 +48,11 @@ public final class Benchmark {
     /**
      * Measures a recording.
      *
-     * @param folder where the whole run writes its rows, to a file that is deleted afterwards
-     * @throws EventSourceException where the recording cannot be opened, is damaged before the last event used, or has
-     *     no event
-     * @throws IOException where no rows can be written
-     * @throws IllegalStateException where two runs over the same events gave different results
+     * @param folder folder for the rows of the whole run, in a file that is deleted afterwards
+     * @throws EventSourceException if the recording cannot be opened, is damaged before the last event used, or has no
+     *     event
+     * @throws IOException if the rows cannot be written
+     * @throws IllegalStateException if two runs over the same events give different results
      */
     public static RecordingFigures measure(RecordingUnderTest recording, BenchmarkOptions options, Path folder)
             throws EventSourceException, IOException {
@@ -78,7 +79,7 @@ public final class Benchmark {
         }
     }
 
-    /** In a method of its own so that the events are gone when the memory of a whole run is measured. */
+    /** A separate method, so that the events can be collected before the memory of a whole run is measured. */
     private InMemory measureInMemory() throws EventSourceException, IOException {
         EventsInMemory events;
         try (EventSource source = recording.open(options.mostEvents())) {
@@ -149,7 +150,7 @@ public final class Benchmark {
         return (double) withFlow / events;
     }
 
-    /** Events with flow, over the way that they would go at their mean speed in the time of the recording. */
+    /** Number of events with flow, divided by the travel in px at their mean speed over the recording's duration. */
     static double eventsPerPx(EventsInMemory events, List<FlowOutput> flows) {
         long withFlow = 0;
         double speeds = 0;
@@ -179,7 +180,7 @@ public final class Benchmark {
         }
     }
 
-    /** Takes rows for their checksum only. */
+    /** Takes rows only to compute their checksum. */
     private static final class ChecksumStream extends OutputStream {
         private final Checksum checksum = new Checksum();
 
@@ -199,7 +200,7 @@ public final class Benchmark {
         return stopwatch.time("decoding", events, () -> {
             try (EventSource source = recording.open(options.mostEvents())) {
                 while (source.next(batch)) {
-                    // Only decoding is timed here.
+                    // the events are not used: only decoding is timed here
                     batch.clear();
                 }
             }
@@ -214,7 +215,7 @@ public final class Benchmark {
         });
     }
 
-    /** From file to file, as the command line does it. */
+    /** Labels the recording from file to file, as the command line does. */
     private void run(Path rows) throws EventSourceException, IOException {
         try (EventSource source = recording.open(options.mostEvents());
              FlowCsvWriter csv = new FlowCsvWriter(Files.newOutputStream(rows))) {

@@ -3,19 +3,20 @@ package io.github.sofas.benchmark;
 import io.github.sofas.flow.SofasParameters;
 
 /**
- * How a recording is measured.
+ * Options that determine how a {@link Benchmark} measures a recording.
  *
- * @param parameters of the engine
- * @param runs how often each part is timed, at least {@value #FEWEST_RUNS}
- * @param warmUps how often each part runs before, uncounted, at least 1
- * @param warmUpMs how long each part runs before, uncounted, to the end of a run: a short recording needs many runs
- *     until its code is compiled
- * @param mostEvents how many events of a recording are used at most, at least 1: all are held in memory
- * @param sampledMs how long the stages of whole runs are sampled, to the end of a run; at least one run is
+ * @param parameters parameters of the engine
+ * @param runs number of timed runs of each part, at least {@value #FEWEST_RUNS}
+ * @param warmUps least number of runs of each part before the timed ones, at least 1
+ * @param warmUpMs least time in ms for which each part runs before the timed runs, up to the end of a run: a short
+ *     recording needs many runs until its code is compiled
+ * @param mostEvents greatest number of events of a recording to use, at least 1; all of them are held in memory
+ * @param sampledMs least time in ms for which the stages of whole runs are sampled, up to the end of a run; at least
+ *     one run is sampled
  */
 public record BenchmarkOptions(SofasParameters parameters, int runs, int warmUps, int warmUpMs,
                                int mostEvents, int sampledMs) {
-    /** A median of fewer says little. */
+    /** Smallest number of timed runs; the median of fewer runs says little. */
     public static final int FEWEST_RUNS = 5;
 
     /** Checks every component. */

@@ -9,14 +9,14 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Figures for people and for programs.
+ * Report of a benchmark, as text for people, as JSON for programs, and as a plot of the cost per event.
  *
- * @param machine that they were taken on
- * @param recordings one after the other
+ * @param machine the machine that the figures were taken on
+ * @param recordings figures of each recording, in the order of measurement
  */
 public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings) {
 
-    /** The machine for people, in lines that end in LF. */
+    /** Describes the machine for people, in lines that end in LF. */
     public static String text(Machine machine) {
         return String.format(Locale.ROOT, "machine  %s, %d cores, %.1f GB; %s; load %.1f\n",
             machine.cpu(), machine.cores(), machine.memoryBytes() / 1e9, machine.os(), machine.load())
@@ -24,7 +24,7 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
                 String.join(" ", machine.jvmOptions()), machine.maxHeapBytes() / 1e6);
     }
 
-    /** One recording for people, in lines that end in LF. */
+    /** Shows the figures of one recording for people, in lines that end in LF. */
     public static String text(RecordingFigures figures) {
         EngineFigures engine = figures.figures();
         StringBuilder text = new StringBuilder();
@@ -71,9 +71,9 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
     }
 
     /**
-     * Writes a JSON document; leaves the stream open.
+     * Writes the report as a JSON document. Leaves the stream open.
      *
-     * @throws IOException where it cannot be written
+     * @throws IOException if the document cannot be written
      */
     public void write(OutputStream out) throws IOException {
         try (JsonGenerator json = Json.open(out)) {
@@ -102,9 +102,9 @@ public record BenchmarkReport(Machine machine, List<RecordingFigures> recordings
     }
 
     /**
-     * Draws the cost of an event over the density as a PNG; leaves the stream open.
+     * Plots the cost per event over the density of events, as a PNG. Leaves the stream open.
      *
-     * @throws IOException where it cannot be written
+     * @throws IOException if the picture cannot be written
      */
     public void plot(OutputStream out) throws IOException {
         CostPlot.write(recordings, out);

@@ -18,18 +18,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Recordings for who names none: simulated scenes, the same on every machine. Each is filmed several times over, the
- * objects jumping back between two passes, until there are enough events to time.
+ * Recordings for a benchmark without recordings of the user: simulated scenes, which are the same on every machine. A
+ * short scene is filmed in several passes, until there are enough events to time. Between two passes, its objects jump
+ * back.
  */
 public final class BuiltInScenes {
     private static final SensorSize DAVIS346 = new SensorSize(346, 260);
     private static final SensorSize LARGEST = new SensorSize(SensorSize.MAX_WIDTH, SensorSize.MAX_HEIGHT);
     private static final double NOISE_HZ_PER_PX = 5;
     private static final long NOISE_US = 2_200_000;
-    /** Events a pixel of the sensor while the textured wall slides past by a px, about. */
+    /** Events per pixel of the sensor and per px that the textured wall travels, approximately. */
     private static final double WALL_EVENTS_PER_PX = 0.155;
     private static final double WALL_PX_PER_S = 120;
-    /** Standard deviations of the log intensity of walls with a third and with three times as many events. */
+    /** Standard deviations of the log intensity of walls with two fifths and with three times the usual contrast. */
     private static final double FAINT_WALL_SD = 0.11;
     private static final double STRONG_WALL_SD = 0.9;
 
@@ -37,7 +38,7 @@ public final class BuiltInScenes {
 
     private static final List<BuiltIn> ALL = all();
 
-    /** One of them; passes make about a million events, of large sensors more. */
+    /** A built-in scene. Its passes make about a million events in all, or more on large sensors. */
     private record BuiltIn(String name, Scene scene, SimulationOptions options, int passes) {
         String fullName() {
             return name + " (simulated, " + options.sensor() + ")";
@@ -63,7 +64,7 @@ public final class BuiltInScenes {
         return List.copyOf(all);
     }
 
-    /** A wall that slides past as fast as its rate of events asks for, until there are so many million events. */
+    /** A wall at the speed that gives {@code millionPerS} million events/s, for {@code millions} million events. */
     private static BuiltIn wall(SensorSize sensor, double millionPerS, double millions) {
         SimulationOptions options = SimulationOptions.defaults().withSensor(sensor)
             .withSpeedPxPerS(millionPerS * 1e6 / pixels(sensor) / WALL_EVENTS_PER_PX)
@@ -72,7 +73,7 @@ public final class BuiltInScenes {
         return new BuiltIn("textured-pan of " + rate + " million/s", Scene.TEXTURED_PAN, options, 1);
     }
 
-    /** A wall of another contrast: more or fewer events a pixel of travel. */
+    /** A wall of another contrast, which gives more or fewer events per pixel of travel. */
     private static BuiltIn wall(String name, double sd) {
         return new BuiltIn(name, Scene.TEXTURED_PAN, SimulationOptions.defaults().withSensor(DAVIS346)
             .withSpeedPxPerS(WALL_PX_PER_S).withTexture(sd).withDurationUs(1_000_000), 1);
@@ -80,7 +81,7 @@ public final class BuiltInScenes {
 
     private static List<BuiltIn> sparse() {
         SimulationOptions davis = SimulationOptions.defaults();
-        // As long on both sensors, and with as much noise in all, so that only the sensor's size differs.
+        // Both sensors get the same duration and the same total noise, so that only the sensor's size differs.
         SimulationOptions small = davis.withDurationUs(Scene.HEXAGON.durationUs(davis));
         double noise = davis.dvs().noiseHzPerPx() * pixels(davis.sensor()) / pixels(LARGEST);
         SimulationOptions large = small.withSensor(LARGEST).withDvs(davis.dvs().withNoiseHzPerPx(noise));
@@ -98,17 +99,17 @@ public final class BuiltInScenes {
         return (double) sensor.width() * sensor.height();
     }
 
-    /** What they are called, in the order in which they are measured. */
+    /** Names of the scenes, in the order in which they are measured. */
     public static List<String> names() {
         return ALL.stream().map(BuiltIn::fullName).toList();
     }
 
     /**
-     * Films one.
+     * Simulates a scene and writes it as a recording.
      *
      * @param name one of {@link #names}
-     * @param folder that takes its file
-     * @throws IOException where it cannot be written
+     * @param folder folder for the file of the recording
+     * @throws IOException if the file cannot be written
      */
     public static RecordingUnderTest film(String name, Path folder) throws IOException {
         BuiltIn builtIn = ALL.stream().filter(each -> each.fullName().equals(name)).findFirst().orElseThrow();
@@ -120,7 +121,7 @@ public final class BuiltInScenes {
         }
     }
 
-    /** As AEDAT 2.0 where it has a chip of that size, else as text. */
+    /** Writes the events as AEDAT 2.0 if that format has a chip of the sensor's size, and as text otherwise. */
     private static RecordingUnderTest write(String name, EventSource source, Path withoutExtension)
             throws IOException, EventSourceException {
         SensorSize sensor = source.sensor();

@@ -3,7 +3,10 @@ package io.github.sofas.benchmark;
 import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.FlowOutput;
 
-/** A number that changes when any result does (FNV-1a, 64 bits, a step a value). Independent of batches. */
+/**
+ * A number that changes if any result changes: a 64-bit checksum after FNV-1a, with one step per value. It does not
+ * depend on how events are cut into batches.
+ */
 final class Checksum {
     private static final long BASIS = 0xcbf29ce484222325L;
     private static final long PRIME = 0x100000001b3L;
@@ -11,7 +14,7 @@ final class Checksum {
     private long sum = BASIS;
 
     private void add(long value) {
-        // The high half is folded in because a product carries upwards only.
+        // The high half is folded in because a product only carries upwards.
         sum = (sum ^ value ^ value >>> 32) * PRIME;
         sum ^= sum >>> 29;
     }

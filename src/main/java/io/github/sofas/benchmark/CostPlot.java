@@ -19,24 +19,24 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * What an event costs the engine over the density of what it shows, a point a recording: learning is owed to travel, so
- * that dense scenes should cost less an event.
+ * Plots the engine's cost per event over the density of events, with one point per recording. The engine measures
+ * motion and searches for structures per pixel of travel, so that an event of a dense scene should cost less.
  */
 final class CostPlot {
     private static final int WIDTH = 720;
     private static final int HEIGHT = 440;
     private static final int PIXELS_PER_PX = 2;
     private static final int MARKER_PX = 9;
-    /** Of Okabe and Ito's palette, which colour-blind people can distinguish. */
+    /** Colours of Okabe and Ito's palette, which colour-blind people can distinguish. */
     private static final int[] INKS = {0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0x222222, 0xE69F00};
 
     private CostPlot() {
     }
 
     /**
-     * Writes a PNG.
+     * Writes the plot as a PNG.
      *
-     * @param recordings those without flow have no density and no point
+     * @param recordings figures of each recording; a recording without flow has no density and thus no point
      */
     static void write(List<RecordingFigures> recordings, OutputStream out) throws IOException {
         BufferedImage image = new BufferedImage(WIDTH * PIXELS_PER_PX, HEIGHT * PIXELS_PER_PX,
@@ -70,7 +70,7 @@ final class CostPlot {
         return chart;
     }
 
-    /** Recordings with a density, by the size of their sensors. */
+    /** Groups the recordings that have a density by the size of their sensor. */
     static Map<String, List<RecordingFigures>> bySensor(List<RecordingFigures> recordings) {
         Map<String, List<RecordingFigures>> bySensor = new LinkedHashMap<>();
         for (RecordingFigures each : recordings) {

@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The events of a recording, whole in memory and cut into batches.
+ * All events of a recording in memory, cut into batches, so that the engine can be timed without reading files.
  *
- * @param sensor that they come from
- * @param batches in order of time, none empty
- * @param size how many events there are
+ * @param sensor size of the sensor that the events come from
+ * @param batches batches in order of time, none of them empty
+ * @param size number of events in all batches
  */
 record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
 
-    /** Where a batch ends. */
+    /** Decides whether a batch ends before the next event. */
     @FunctionalInterface
     private interface Cut {
         boolean between(EventBatch batch, int size, long nextTimeUs);
@@ -40,12 +40,12 @@ record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
         return part;
     }
 
-    /** The same events in packets as a camera sends them: one for each period of the given length with events in it. */
+    /** Returns the same events in packets as a camera sends them: one for each period of {@code us} with events. */
     EventsInMemory packetsOfTime(long us) {
         return cut((packet, count, nextUs) -> Math.floorDiv(nextUs, us) != Math.floorDiv(packet.timeUs[0], us));
     }
 
-    /** The same events in packets of the given number; the last may hold fewer. */
+    /** Returns the same events in packets of the given number of events; the last packet may hold fewer. */
     EventsInMemory packetsOfEvents(int events) {
         return cut((packet, count, nextTimeUs) -> count == events);
     }
@@ -83,7 +83,7 @@ record EventsInMemory(SensorSize sensor, List<EventBatch> batches, long size) {
         return last.timeUs[last.size() - 1] - batches.get(0).timeUs[0];
     }
 
-    /** The size of the largest batch; 1 where there is none. */
+    /** The size of the largest batch; 1 if there is no batch. */
     int largestBatch() {
         return batches.stream().mapToInt(EventBatch::size).max().orElse(1);
     }

@@ -11,23 +11,23 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What the figures were taken on.
+ * The machine that the figures were taken on.
  *
- * @param cpu model of the processor, or its architecture where the system does not say
- * @param cores how many the program may use
- * @param memoryBytes of the machine
- * @param os name and version of the system
+ * @param cpu model of the processor, or its architecture if the system does not report the model
+ * @param cores number of cores that the program may use
+ * @param memoryBytes memory of the machine
+ * @param os name, version and architecture of the operating system
  * @param jvm name and version of the Java virtual machine
- * @param jvmOptions that it was started with
- * @param maxHeapBytes that it may use
- * @param load other work: the system's load average over the last minute at the start, negative where it has none
+ * @param jvmOptions options that the virtual machine was started with
+ * @param maxHeapBytes largest heap that the virtual machine may use
+ * @param load other work: the system's load average over the last minute at the start; negative if the system has none
  */
 public record Machine(String cpu, int cores, long memoryBytes, String os, String jvm, List<String> jvmOptions,
                       long maxHeapBytes, double load) {
     private static final Path LINUX_CPU = Path.of("/proc/cpuinfo");
     private static final String WINDOWS_CPU = "PROCESSOR_IDENTIFIER";
 
-    /** Asks this machine. */
+    /** Describes the machine that this program runs on. */
     public static Machine here() {
         RuntimeMXBean jvm = ManagementFactory.getRuntimeMXBean();
         var system = (com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
@@ -49,7 +49,7 @@ public record Machine(String cpu, int cores, long memoryBytes, String os, String
         }
     }
 
-    /** The first model in the lines of Linux's cpuinfo. */
+    /** Returns the first model name in the lines of Linux's cpuinfo. */
     static Optional<String> cpu(Stream<String> cpuinfo) {
         return cpuinfo.filter(line -> line.startsWith("model name")).findFirst()
             .map(line -> line.substring(line.indexOf(':') + 1).strip());

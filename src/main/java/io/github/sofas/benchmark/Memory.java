@@ -5,7 +5,7 @@ import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
 import java.util.List;
 
-/** What the Java virtual machine says of its heap, in bytes. */
+/** Heap figures that the Java virtual machine reports, in bytes. */
 final class Memory {
     private static final com.sun.management.ThreadMXBean THREADS =
         (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -13,29 +13,29 @@ final class Memory {
     private Memory() {
     }
 
-    /** Frees what can be freed. */
+    /** Requests a garbage collection. */
     static void collect() {
         System.gc();
     }
 
-    /** In use after a collection. */
+    /** Bytes of the heap in use after a collection. */
     static long usedBytes() {
         collect();
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
     }
 
-    /** Allocated by this thread so far; only differences mean anything. */
+    /** Bytes that this thread has allocated so far; only differences are meaningful. */
     static long allocatedBytes() {
         return THREADS.getCurrentThreadAllocatedBytes();
     }
 
-    /** Frees what can be freed and forgets the peak so far. */
+    /** Requests a garbage collection and resets the peak. */
     static void resetPeak() {
         collect();
         heapPools().forEach(MemoryPoolMXBean::resetPeakUsage);
     }
 
-    /** The sum over the parts of the heap, so at least the true peak: the parts need not have peaked together. */
+    /** Sum of the peaks of the heap's pools. At least the true peak, since the pools need not peak at the same time. */
     static long peakBytes() {
         return heapPools().stream().mapToLong(pool -> pool.getPeakUsage().getUsed()).sum();
     }

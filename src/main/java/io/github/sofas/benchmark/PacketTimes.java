@@ -6,24 +6,24 @@ import io.github.sofas.flow.Sofas;
 import java.util.List;
 
 /**
- * What a live camera would see of the engine: how long it keeps each packet.
+ * Latency of the engine as a live camera would experience it: how long each packet takes to get its labels.
  *
- * @param ofOneMs time that the engine works on each packet of 1 ms of the recording, one after the other without a
- *     pause
- * @param paced time from when a packet was due to its last label, for packets of {@value #PACED_EVENTS} events that are
- *     due 1 ms after each other, 1 million events/s: a packet also waits for those before it
- * @param pacedWork the part of it in which the packet was worked on
+ * @param ofOneMs time that the engine works on each packet of 1 ms of the recording, one packet after the other without
+ *     a pause
+ * @param paced time from when a packet is due to its last label. Packets of {@value #PACED_EVENTS} events are due at
+ *     intervals of 1 ms, at 1 million events/s, and a packet also waits for the packets before it
+ * @param pacedWork the part of that time in which the engine works on the packet
  */
 public record PacketTimes(Latency ofOneMs, Latency paced, Latency pacedWork) {
-    /** Events of a packet at 1 million events/s. */
+    /** Number of events of a packet, one packet per ms at 1 million events/s. */
     public static final int PACED_EVENTS = 1000;
 
     private static final long MILLISECOND_US = 1000;
     private static final long MILLISECOND_NS = 1_000_000;
-    /** Five seconds, if the engine keeps up. */
+    /** Takes five seconds if the engine keeps up. */
     private static final int MOST_PACED_PACKETS = 5000;
 
-    /** Measures with an engine that has labelled the events before. */
+    /** Measures with an engine that has already labelled the events before. */
     static PacketTimes measure(Sofas sofas, EventsInMemory events) {
         Latency ofOneMs = workThrough(sofas, events.packetsOfTime(MILLISECOND_US));
         List<EventBatch> packets = events.packetsOfEvents(PACED_EVENTS).batches();
@@ -48,7 +48,7 @@ public record PacketTimes(Latency ofOneMs, Latency paced, Latency pacedWork) {
         return Latency.of(worked);
     }
 
-    /** Offers packets at a steady pace, whether the engine keeps up or not. */
+    /** Offers packets at a steady pace, whether or not the engine keeps up. */
     private static void pace(Sofas sofas, List<EventBatch> packets, long[] keptNs, long[] workedNs) {
         FlowOutput flow = new FlowOutput(PACED_EVENTS);
         sofas.reset();

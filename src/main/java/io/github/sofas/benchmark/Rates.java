@@ -3,24 +3,24 @@ package io.github.sofas.benchmark;
 import java.util.Arrays;
 
 /**
- * How fast some runs were over the same events.
+ * Rates of several runs over the same events.
  *
- * @param runs how many were timed
- * @param events how many events each run handled
+ * @param runs number of timed runs
+ * @param events number of events that each run handled
  * @param minPerS events per second of the slowest run
- * @param medianPerS events per second of the middle run; the mean of the middle two where their number is even
+ * @param medianPerS median of the events per second; the mean of the middle two runs if the number of runs is even
  * @param maxPerS events per second of the fastest run
- * @param cpuNsPerEvent time per event takes of the processor in the middle run, without what other programs took
- * @param checksum of the result, equal for all runs, as 16 hexadecimal digits
+ * @param cpuNsPerEvent median of the processor time per event in ns, without the time that other programs took
+ * @param checksum checksum of the result, equal for all runs, as 16 hexadecimal digits
  */
 public record Rates(int runs, long events, double minPerS, double medianPerS, double maxPerS,
                     double cpuNsPerEvent, String checksum) {
 
     /**
-     * Sums up.
+     * Summarises the times of the runs.
      *
-     * @param nanos how long each run took, in any order; at least one
-     * @param cpuNanos how much of the processor's time each run took, in any order
+     * @param nanos time that each run took, in any order; at least one run
+     * @param cpuNanos processor time that each run took, in any order
      */
     static Rates of(long events, long[] nanos, long[] cpuNanos, long checksum) {
         double[] perS = Arrays.stream(nanos).mapToDouble(ns -> events * 1e9 / Math.max(1, ns)).sorted().toArray();
@@ -34,7 +34,7 @@ public record Rates(int runs, long events, double minPerS, double medianPerS, do
         return (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
     }
 
-    /** Time an event takes in the middle run, in ns. */
+    /** Time per event at the median rate, in ns. */
     public double medianNsPerEvent() {
         return 1e9 / medianPerS;
     }

@@ -12,18 +12,18 @@ import java.nio.file.Path;
 /**
  * A recording to be measured.
  *
- * @param name how the figures call it
- * @param file where it is
- * @param options how it is read
+ * @param name name of the recording in the figures
+ * @param file path of the recording
+ * @param options options for reading the recording
  */
 public record RecordingUnderTest(String name, Path file, RecordingOptions options) {
 
-    /** Opens it; it ends after so many events. */
+    /** Opens the recording, which ends after at most the given number of events. */
     EventSource open(long mostEvents) throws EventSourceException {
         return new Beginning(Recordings.open(file, options), mostEvents);
     }
 
-    /** Name and packing of the format. */
+    /** Returns the name of the format, and the compression in parentheses if there is one. */
     String format() throws EventSourceException {
         try (RecordingReader reader = Recordings.open(file, options)) {
             return reader.formatName() + reader.compression().map(how -> " (" + how + ")").orElse("");

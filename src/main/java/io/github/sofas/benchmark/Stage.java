@@ -2,19 +2,19 @@ package io.github.sofas.benchmark;
 
 import java.util.Locale;
 
-/** What a run spends its time on, in the order in which an event meets it. */
+/** A stage on which a run spends its time. The stages are in the order in which an event passes through them. */
 public enum Stage {
     /** Reading and decoding the recording. */
     DECODING,
     /** Finding the track plane of an event, and keeping the contours. */
     MATCHING,
-    /** Measuring the velocity of track planes anew. */
+    /** Measuring the velocity of track planes again. */
     RE_CENTRING,
-    /** Projecting the events that no track plane takes, and finding structures among them. */
+    /** Projecting the events that no track plane takes, and searching for structures among them. */
     FLOW_PLANE,
-    /** Making and writing rows. */
+    /** Formatting and writing the rows of the output. */
     OUTPUT,
-    /** What lies between these. */
+    /** Everything else. */
     OTHER;
 
     private static final String ROOT = "io.github.sofas.";
@@ -30,12 +30,12 @@ public enum Stage {
     }
 
     /**
-     * The stage of a moment.
+     * Returns the stage to which a stack belongs.
      *
-     * <p>Goes by the names of the paper that classes and methods bear, so that a kernel that serves several stages
-     * counts for the one that called it. A track plane that the flow plane starts is the flow plane's work. What
-     * is left of the engine counts as matching: compiled into the loop over the events, matching has no frame of its
-     * own.
+     * <p>Packages, classes and methods of the engine are named after the terms of the paper, and these names determine
+     * the stage. A kernel that serves several stages thus counts for the stage that calls it. The start of a track
+     * plane by the flow plane counts as work of the flow plane. All other frames of the engine count as matching:
+     * matching has no frame of its own, because it is compiled into the loop over the events.
      */
     static Stage of(StackTraceElement[] stack) {
         Stage stage = OTHER;

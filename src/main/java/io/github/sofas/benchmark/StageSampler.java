@@ -7,11 +7,13 @@ import java.util.Map;
 import java.util.Random;
 
 /**
- * Looks at a running thread's stack every few milliseconds and counts the stages: the hot loops carry no clocks.
+ * Samples the stack of a running thread every few milliseconds and counts the {@linkplain Stage stages}. The hot loops
+ * therefore need no clocks.
  *
- * <p>The virtual machine shows a thread's stack where it next can, at the end of a counted loop or at a return, so that
- * single methods are blurred; stages hardly are: Java Flight Recorder, which shows any instruction, gave shares that
- * differed by at most 6 points of a hundred on four scenes. This needs neither its module nor its files.
+ * <p>The virtual machine shows a thread's stack at its next safepoint, at the end of a counted loop or at a return.
+ * This blurs the shares of single methods, but hardly those of stages. Java Flight Recorder, which samples at any
+ * instruction, gave shares that differed by at most 6 percentage points on four scenes. This class needs neither the
+ * recorder's module nor its files.
  */
 final class StageSampler implements Runnable {
     private static final int LONGEST_PAUSE_MS = 3;
@@ -24,7 +26,7 @@ final class StageSampler implements Runnable {
         this.watched = watched;
     }
 
-    /** Runs at least so long and at least once, and gives the share of each stage in the time, together 1. */
+    /** Runs for at least {@code leastMs} and at least once. Returns each stage's share of the time, 1 in total. */
     static Map<Stage, Double> shares(Stopwatch.Run run, int leastMs) throws EventSourceException, IOException {
         StageSampler sampler = new StageSampler(Thread.currentThread());
         Thread thread = new Thread(sampler, "stage sampler");
@@ -46,14 +48,14 @@ final class StageSampler implements Runnable {
         try {
             thread.join();
         } catch (InterruptedException e) {
-            // What was counted until now is what there is; the caller sees the interruption.
+            // The counts so far are the result; the caller sees the interruption.
             Thread.currentThread().interrupt();
         }
     }
 
     @Override
     public void run() {
-        // Pauses of different length keep it from walking in step with the work.
+        // Pauses of different lengths keep the samples from falling into step with the work.
         Random random = new Random(1);
         try {
             while (!over) {
@@ -65,7 +67,7 @@ final class StageSampler implements Runnable {
         }
     }
 
-    /** From counts by ordinal; empty where nothing was seen. */
+    /** Computes shares from counts by ordinal; the result is empty if nothing was counted. */
     static Map<Stage, Double> shares(long[] seen) {
         long all = 0;
         for (long count : seen) {

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 
-/** Times repeated runs of a part, and holds all of them to one result. */
+/** Times repeated runs of a part of a {@link Benchmark}, and checks that all of them give the same result. */
 final class Stopwatch {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final long NANOS_PER_MS = 1_000_000;
@@ -18,7 +18,7 @@ final class Stopwatch {
         void run() throws EventSourceException, IOException;
     }
 
-    /** Gives the checksum of what the run before has left; not timed. */
+    /** Returns the checksum of the previous run's result; not timed. */
     @FunctionalInterface
     interface Result {
         long checksum() throws EventSourceException, IOException;
@@ -29,10 +29,10 @@ final class Stopwatch {
     }
 
     /**
-     * Warms up and times.
+     * Warms up a part and times it.
      *
-     * @param part what is timed, for messages
-     * @throws IllegalStateException where a run's result differs from that of the one before
+     * @param part name of the part, for messages
+     * @throws IllegalStateException if the result of a run differs from that of the warm-up
      */
     Rates time(String part, long events, Run run, Result result) throws EventSourceException, IOException {
         long warmUpStart = System.nanoTime();
@@ -44,7 +44,7 @@ final class Stopwatch {
         long[] nanos = new long[options.runs()];
         long[] cpuNanos = new long[nanos.length];
         for (int i = 0; i < nanos.length; i++) {
-            // Rubbish of the run before is not this one's.
+            // Garbage of the previous run must not count for this run.
             Memory.collect();
             long cpuStart = THREADS.getCurrentThreadCpuTime();
             long start = System.nanoTime();

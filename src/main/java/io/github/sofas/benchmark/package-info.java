@@ -1,7 +1,7 @@
 /**
- * Measurements of speed. Open {@link io.github.sofas.benchmark.Benchmark} first: it measures one recording;
+ * Measurements of speed. Start with {@link io.github.sofas.benchmark.Benchmark}, which measures one recording.
  * {@link io.github.sofas.benchmark.BuiltInScenes} makes recordings if the user names none.
  *
- * <p>Runs the same steps as the command line does, in one thread, on the recording's own bytes.
+ * <p>A benchmark runs the same steps as the command line, in one thread, on the bytes of the recording itself.
  */
 package io.github.sofas.benchmark;

@@ -1,21 +1,21 @@
 package io.github.sofas.evaluate;
 
 /**
- * How far two methods agree on the flow of one recording, where nothing knows the truth.
+ * Agreement of two methods on the flow of one recording, for recordings whose truth is unknown.
  *
- * @param both events that both gave flow
- * @param difference length of the difference of their velocities in px/s
- * @param angle angle between them in degrees, 0 to 180; of events where neither velocity is 0
+ * @param both number of events to which both methods gave flow
+ * @param difference length of the difference of the two velocities, in px/s
+ * @param angle angle between the two velocities, in degrees from 0 to 180, over the events where neither velocity is 0
  */
 public record Agreement(long both, Distribution difference, Distribution angle) {
 
     /**
-     * Compares event by event.
+     * Compares two estimates event by event.
      *
      * @param a one estimate
-     * @param b another, of the same events
-     * @return how far they agree
-     * @throws IllegalArgumentException where they are not of equally many events
+     * @param b another estimate of the same events
+     * @return the agreement of the two
+     * @throws IllegalArgumentException if the estimates differ in their number of events
      */
     public static Agreement of(FlowEstimate a, FlowEstimate b) {
         if (a.size() != b.size()) {

@@ -4,17 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How good the flow is a given time after an object appeared, over all objects. An object appears with its first event
- * in the recording; nothing is left out at the beginning.
+ * Error of the flow at a given time after an object appears, over all objects. A sequence of bins shows how fast a
+ * method converges. An object appears with its first event in the recording; the beginning of the recording counts,
+ * too.
  *
  * @param fromUs time since appearance at which the bin begins, in µs
- * @param untilUs at which it ends, exclusive, in µs
- * @param events object events in the bin
- * @param eventsWithFlow those of them that have flow
- * @param meanMagnitudeErrorPercent mean signed magnitude error in %, 0 where no event has flow
- * @param meanAngularErrorDeg mean unsigned angular error in degrees, 0 where no event has flow
- * @param meanEndpointErrorPxPerS mean endpoint error in px/s, 0 where no event has flow
- * @param meanRelativeEndpointErrorPercent mean relative endpoint error in %, 0 where no event has flow
+ * @param untilUs time since appearance at which the bin ends, exclusive, in µs
+ * @param events number of object events in the bin
+ * @param eventsWithFlow number of those events that have flow
+ * @param meanMagnitudeErrorPercent mean signed magnitude error in %, 0 if no event has flow
+ * @param meanAngularErrorDeg mean unsigned angular error in degrees, 0 if no event has flow
+ * @param meanEndpointErrorPxPerS mean endpoint error in px/s, 0 if no event has flow
+ * @param meanRelativeEndpointErrorPercent mean relative endpoint error in %, 0 if no event has flow
  */
 public record ConvergenceBin(long fromUs, long untilUs, long events, long eventsWithFlow,
                              double meanMagnitudeErrorPercent, double meanAngularErrorDeg,

@@ -3,21 +3,24 @@ package io.github.sofas.evaluate;
 import java.util.Arrays;
 
 /**
- * A set of numbers in six. All but the count are 0 where there are no numbers.
+ * Summary of a set of numbers, such as the errors of all events. All components are 0 if the set is empty.
  *
- * @param count how many numbers, n
- * @param mean their mean
+ * <p>The quantile p is the sorted number at position p (n + 1), counted from 1. A position between two numbers is
+ * interpolated linearly, and positions are clamped to the first and the last number (definition 6 of Hyndman and Fan
+ * 1996, as in jAER).
+ *
+ * @param count how many numbers there are, n
+ * @param mean mean of the numbers
  * @param sd standard deviation with n - 1; 0 for a single number
- * @param lowerQuartile quarter of the way up, see {@link #median}
- * @param median half-way up: of the sorted numbers the one at position p (n + 1), counted from 1, between two of them
- *     by linear interpolation, clamped to the first and last (definition 6 of Hyndman and Fan 1996, jAER's too)
- * @param upperQuartile three quarters of the way up
+ * @param lowerQuartile quantile 1/4
+ * @param median quantile 1/2
+ * @param upperQuartile quantile 3/4
  */
 public record Distribution(long count, double mean, double sd, double lowerQuartile, double median,
                            double upperQuartile) {
     private static final Distribution NONE = new Distribution(0, 0, 0, 0, 0, 0);
 
-    /** Numbers that are still being gathered. */
+    /** Gathers numbers one by one, all of which are kept until the summary is made. */
     static final class Gatherer {
         private double[] values = new double[256];
         private int size;

@@ -6,14 +6,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * All figures of one estimate against its truth. An event counts in the flow, noise and segmentation figures where its
- * time is at least first + skipFirstShare (last - first); convergence and first labels are over the whole recording.
+ * All figures of one estimate against its truth. An event counts in the flow, noise and segmentation figures if its
+ * time is at least first + skipFirstShare (last - first). Convergence and first labels are taken over the whole
+ * recording.
  *
- * @param options what was counted
- * @param events events of the recording
- * @param eventsCounted those after the share that was left out
- * @param noiseEvents noise events that count
- * @param noiseEventsWithFlow those of them that have flow
+ * @param options options that determine which events count
+ * @param events number of events of the recording
+ * @param eventsCounted number of events after the share of time that is left out
+ * @param noiseEvents number of noise events that count
+ * @param noiseEventsWithFlow number of those noise events that have flow
  * @param flow flow figures over all objects
  * @param flowByObject flow figures of each object, by rising id
  * @param segmentation segmentation figures over all objects
@@ -27,11 +28,11 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
     /**
      * Computes all figures.
      *
-     * @param truth of every event
-     * @param estimate of the same events
-     * @param options what counts
+     * @param truth truth of every event
+     * @param estimate estimate of the same events
+     * @param options options that determine which events count
      * @return the figures
-     * @throws IllegalArgumentException where truth and estimate are not of equally many events
+     * @throws IllegalArgumentException if truth and estimate differ in their number of events
      */
     public static Evaluation of(GroundTruth truth, FlowEstimate estimate, EvaluationOptions options) {
         int n = truth.size();
@@ -77,11 +78,11 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
     }
 
     /**
-     * Lets a method label a simulated recording and computes all figures.
+     * Labels a simulated recording with a method and computes all figures.
      *
-     * @param recording what is labelled
-     * @param method made for the recording's sensor; not reset before
-     * @param options what counts
+     * @param recording the recording to label
+     * @param method a method made for the recording's sensor; it is not reset first
+     * @param options options that determine which events count
      * @return the figures
      */
     public static Evaluation of(SimulatedRecording recording, EventLabeller method, EvaluationOptions options) {
@@ -94,7 +95,7 @@ public record Evaluation(EvaluationOptions options, long events, long eventsCoun
         int n = truth.size();
         int from = start;
         while (from < n) {
-            // Windows begin at whole multiples after the first event that counts; empty ones are passed over.
+            // Windows begin at whole multiples of their length after the first counted event; empty ones are skipped.
             long elapsed = truth.timeUs()[from] - truth.timeUs()[start];
             long end = truth.timeUs()[start] + (elapsed / windowUs + 1) * windowUs;
             int until = from + 1;

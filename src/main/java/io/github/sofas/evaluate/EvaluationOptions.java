@@ -1,34 +1,34 @@
 package io.github.sofas.evaluate;
 
 /**
- * What an evaluation counts.
+ * Options that determine which events an {@link Evaluation} counts, and how it cuts time into windows and bins.
  *
- * @param skipFirstShare share of the recording's time, from its first event, whose events are left out of the flow and
- *     segmentation figures, 0 to below 1. jAER drops the first eight estimates instead, which depends on the rate
+ * @param skipFirstShare share of the recording's time, from its first event, that is left out of the flow, noise and
+ *     segmentation figures, 0 to below 1. jAER drops the first eight estimates instead, which depends on the event rate
  * @param windowUs length of the windows of the segmentation figures in µs, positive
  * @param convergenceBinUs length of the bins of time since appearance in µs, positive
  * @param convergenceBins how many such bins, at least 1
  */
 public record EvaluationOptions(double skipFirstShare, long windowUs, long convergenceBinUs, int convergenceBins) {
-    /** Left out by default: the objects are still entering the view. */
+    /** Share that is left out by default, while the objects are still entering the view. */
     public static final double DEFAULT_SKIP_FIRST_SHARE = 0.15;
-    /** Windows of 50 ms. */
+    /** Segmentation figures use windows of 50 ms by default. */
     public static final long DEFAULT_WINDOW_US = 50_000;
-    /** Bins of 20 ms. */
+    /** Convergence is shown in bins of 20 ms by default. */
     public static final long DEFAULT_CONVERGENCE_BIN_US = 20_000;
-    /** The first second. */
+    /** The default bins cover the first second after an object appears. */
     public static final int DEFAULT_CONVERGENCE_BINS = 50;
 
     /**
      * Checks the components.
      *
-     * @param skipFirstShare share of the recording's time, from its first event, whose events are left out of the flow
+     * @param skipFirstShare share of the recording's time, from its first event, that is left out of the flow, noise
      *     and segmentation figures, 0 to below 1. jAER drops the first eight estimates instead, which depends on the
-     *     rate
+     *     event rate
      * @param windowUs length of the windows of the segmentation figures in µs, positive
      * @param convergenceBinUs length of the bins of time since appearance in µs, positive
      * @param convergenceBins how many such bins, at least 1
-     * @throws IllegalArgumentException where one is outside its range
+     * @throws IllegalArgumentException if a component is outside its range
      */
     public EvaluationOptions {
         if (!(skipFirstShare >= 0 && skipFirstShare < 1)) {
@@ -53,9 +53,9 @@ public record EvaluationOptions(double skipFirstShare, long windowUs, long conve
     }
 
     /**
-     * {@return the same with another share left out}
+     * {@return the same options with another share left out}
      *
-     * @param share of the time, 0 to below 1
+     * @param share share of the recording's time, 0 to below 1
      */
     public EvaluationOptions withSkipFirstShare(double share) {
         return new EvaluationOptions(share, windowUs, convergenceBinUs, convergenceBins);

@@ -11,16 +11,16 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * An evaluation for people and for programs. All forms name the figures alike; a figure that there are no events for is
- * {@code -} in the text, empty in CSV and null in JSON.
+ * Report of an evaluation, as text for people and as CSV and JSON for programs. All forms use the same names for the
+ * figures. A figure without any events is {@code -} in the text, empty in CSV and null in JSON.
  *
- * @param version of the program
+ * @param version version of the program
  * @param recording path of the recording, as it was given
- * @param truth path of its truth
+ * @param truth path of the truth
  * @param method name of the method
- * @param preset name of the preset that its parameters started from; empty where the method has none
- * @param parameters every parameter of the method by its option's name: a Number, Boolean or String each
- * @param run what came of it
+ * @param preset name of the preset that the parameters started from; empty if the method has no presets
+ * @param parameters every parameter of the method by the name of its option; each value is a Number, Boolean or String
+ * @param run the evaluation of the recording
  */
 public record EvaluationReport(String version, String recording, String truth, String method,
                                String preset, Map<String, Object> parameters, EvaluationRun run) {
@@ -31,7 +31,7 @@ public record EvaluationReport(String version, String recording, String truth, S
     private static final int COLUMN_WIDTH = 12;
     private static final String ALL = "all";
 
-    /** A figure of a column of the tables. */
+    /** A column of a table, or a row of the convergence table: whose figures, and the figures by name. */
     private record Column(String of, Map<String, Number> figures) {
     }
 
@@ -61,7 +61,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         return rows;
     }
 
-    /** {@return tables of aligned columns; lines end in LF} */
+    /** {@return the report as tables of aligned columns; lines end in LF} */
     public String text() {
         Evaluation evaluation = run.evaluation();
         StringBuilder text = new StringBuilder();
@@ -81,7 +81,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         return text.toString();
     }
 
-    /** A row per figure, a column an object. */
+    /** Appends a table with one row per figure and one column per object. */
     private static void table(StringBuilder text, String title, List<Column> columns) {
         text.append('\n').append(String.format(Locale.ROOT, "%-" + NAME_WIDTH + "s", title));
         columns.forEach(column -> cell(text, column.of));
@@ -93,7 +93,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         }
     }
 
-    /** A row a bin; only as far as there are events. */
+    /** Appends a table with one row per bin, without the bins that have no events. */
     private static void convergenceTable(StringBuilder text, Evaluation evaluation) {
         text.append("\nconvergence, by time since an object's appearance\n");
         for (String title : List.of("from ms", "events", "with flow", "magnitude %", "angle deg", "px/s", "error %")) {
@@ -119,11 +119,11 @@ public record EvaluationReport(String version, String recording, String truth, S
     }
 
     /**
-     * Writes one line per figure, {@value #CSV_HEADER}: section is flow, noise, segmentation or convergence; of is
-     * {@code all}, an object's id, or a bin's begin in µs. Leaves the stream open.
+     * Writes one line per figure with the columns {@value #CSV_HEADER}. The section is flow, noise, segmentation or
+     * convergence. The column "of" holds {@code all}, an object's id, or the beginning of a bin in µs.
      *
-     * @param out gets the text; left open
-     * @throws IOException where it cannot be written
+     * @param out stream for the text; left open
+     * @throws IOException if the text cannot be written
      */
     public void writeCsv(OutputStream out) throws IOException {
         String csv = CSV_HEADER + '\n' + csvLines(run.evaluation(), "");
@@ -131,10 +131,10 @@ public record EvaluationReport(String version, String recording, String truth, S
     }
 
     /**
-     * {@return the lines of the CSV form without the first, for a file that holds several evaluations}
+     * {@return the lines of the CSV form without the header, for a file that holds several evaluations}
      *
      * @param evaluation the figures
-     * @param prefix before each line: the values of further columns on the left, each with its comma
+     * @param prefix text before each line: the values of further columns on the left, each followed by a comma
      */
     public static String csvLines(Evaluation evaluation, String prefix) {
         StringBuilder csv = new StringBuilder();
@@ -152,10 +152,10 @@ public record EvaluationReport(String version, String recording, String truth, S
     }
 
     /**
-     * Writes a JSON document; leaves the stream open.
+     * Writes the report as a JSON document.
      *
-     * @param out gets the text; left open
-     * @throws IOException where it cannot be written
+     * @param out stream for the text; left open
+     * @throws IOException if the text cannot be written
      */
     public void writeJson(OutputStream out) throws IOException {
         Evaluation evaluation = run.evaluation();
@@ -191,7 +191,7 @@ public record EvaluationReport(String version, String recording, String truth, S
         }
     }
 
-    /** An object whose fields are {@code all} and the ids. */
+    /** Writes a JSON object with a field {@code all} and a field for the id of each object. */
     private static void writeColumns(JsonGenerator json, List<Column> columns) throws IOException {
         json.writeStartObject();
         for (Column column : columns) {

@@ -9,27 +9,28 @@ import io.github.sofas.flow.Labelling;
 import java.io.IOException;
 
 /**
- * One recording labelled by a method and held against its truth.
+ * One recording, labelled by a method and compared with its truth.
  *
- * @param evaluation the figures; of the events before the damage where there is any
- * @param damage why the recording could not be read to its end; null where it was
- * @param methodSeconds time that the method took
- * @param labelled events that it labelled; more than the evaluation has where the truth is of a part of them
+ * @param evaluation the figures; if the recording is damaged, of the events before the damage
+ * @param damage why the recording could not be read to its end; null if it was read to its end
+ * @param methodSeconds time that the method took, in s
+ * @param labelled number of events that the method labelled; more than the evaluation has if the truth covers only a
+ *     part of the events
  */
 public record EvaluationRun(Evaluation evaluation, EventSourceException damage, double methodSeconds,
                             long labelled) {
     private static final int BATCH = 4096;
 
     /**
-     * Reads, labels and evaluates.
+     * Reads a recording, labels its events and evaluates the labels.
      *
-     * @param source read to its end or its damage, not closed
-     * @param truth just opened; not closed
-     * @param method made for the source's sensor
-     * @param options what counts
-     * @return what came of it
-     * @throws TruthException where the truth is malformed or of another recording
-     * @throws IOException where the truth cannot be read
+     * @param source the recording, which is read to its end or its damage and not closed
+     * @param truth reader of the truth, just opened; it is not closed
+     * @param method a method made for the source's sensor
+     * @param options options that determine which events count
+     * @return the evaluation and how the run went
+     * @throws TruthException if the truth is malformed or belongs to another recording
+     * @throws IOException if the truth cannot be read
      */
     public static EvaluationRun of(EventSource source, TruthCsvReader truth, Labelling method,
                                    EvaluationOptions options) throws TruthException, IOException {
@@ -49,7 +50,7 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         } catch (EventSourceException e) {
             damage = e;
         }
-        // The truth of a damaged recording's lost events is left unread.
+        // For a damaged recording, the truth of the lost events is left unread.
         if (damage == null) {
             truth.end();
         }
@@ -57,7 +58,7 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
             events);
     }
 
-    /** Moves the labels of the events whose truth is known to the front, and returns how many there are. */
+    /** Moves the labels of the events with known truth to the front, and returns the number of those events. */
     private static int keep(FlowOutput output, boolean[] known, int count) {
         int kept = 0;
         for (int i = 0; i < count; i++) {
@@ -71,7 +72,7 @@ public record EvaluationRun(Evaluation evaluation, EventSourceException damage, 
         return kept;
     }
 
-    /** {@return events per second of the method's own time; 0 where none passed} */
+    /** {@return events per second of the method's own time; 0 if the method took no time} */
     public double eventsPerSecond() {
         return methodSeconds > 0 ? labelled / methodSeconds : 0;
     }

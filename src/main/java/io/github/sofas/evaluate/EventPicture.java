@@ -4,14 +4,14 @@ import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
- * How many events each pixel got, as a picture whose sharpness can be measured. An event counts for the pixel that it
- * is nearest to, whatever its polarity; one that was moved out of the picture is not seen.
+ * A picture of event counts per pixel, whose variance measures its sharpness. An event counts for the nearest pixel,
+ * whatever its polarity. An event that was moved out of the picture does not count.
  *
- * <p>Counts go to whole pixels because the camera's own events do. Shared among four pixels, moved events would be
- * blurred where those that stay are not, and a right velocity would look worse than none.
+ * <p>Counts go to whole pixels, as the camera's own events do. Bilinear votes would blur the events that were moved,
+ * but not the events that stay, and a correct velocity would look worse than none.
  */
 final class EventPicture {
-    /** Standard deviation of the blur, in px. Without a blur, edges that slide along themselves look sharper. */
+    /** Standard deviation of the blur, in px. Without blur, edges that slide along themselves would look sharper. */
     static final double BLUR_SD_PX = 1;
 
     private static final int BLUR_RADIUS = 4;
@@ -46,7 +46,7 @@ final class EventPicture {
         Arrays.fill(counts, 0);
     }
 
-    /** Adds an event at a place in px; pixel (x, y) reaches half a pixel to each side of that point. */
+    /** Adds an event at a position in px. Pixel (x, y) extends half a pixel to each side of the point (x, y). */
     void add(double x, double y) {
         int column = (int) Math.floor(x + 0.5);
         int line = (int) Math.floor(y + 0.5);
@@ -55,12 +55,12 @@ final class EventPicture {
         }
     }
 
-    /** Events of each pixel, row by row; the picture's own array. */
+    /** Returns the number of events of each pixel, row by row, in the picture's own array. */
     float[] counts() {
         return counts;
     }
 
-    /** Variance of the blurred counts over all pixels. Nothing is outside the picture. */
+    /** Returns the variance of the blurred counts over all pixels. The blur takes 0 for counts beyond the border. */
     double variance() {
         blurRows();
         double sum = 0;

@@ -7,7 +7,7 @@ import io.github.sofas.flow.Labelling;
 import io.github.sofas.simulate.SimulatedRecording;
 import java.util.Arrays;
 
-/** What a method said of each event of a recording, gathered batch by batch. */
+/** The labels that a method gives to the events of a recording: velocity and segment, gathered batch by batch. */
 public final class FlowEstimate {
     private static final int BATCH = 4096;
 
@@ -16,7 +16,7 @@ public final class FlowEstimate {
     private int[] segment;
     private int size;
 
-    /** Makes an empty one. */
+    /** Makes an empty estimate. */
     public FlowEstimate() {
         this(new float[1024], new float[1024], new int[1024], 0);
     }
@@ -29,13 +29,13 @@ public final class FlowEstimate {
     }
 
     /**
-     * Makes one on arrays that are already complete; they are held, not copied.
+     * Makes an estimate on complete arrays, which are held, not copied.
      *
      * @param vxPxPerS velocity to the right in px/s
      * @param vyPxPerS velocity downwards in px/s
-     * @param segment id of the segment, 0 where the event has no flow
+     * @param segment id of the segment, 0 if the event has no flow
      * @return the estimate
-     * @throws IllegalArgumentException where lengths differ
+     * @throws IllegalArgumentException if the lengths of the arrays differ
      */
     public static FlowEstimate of(float[] vxPxPerS, float[] vyPxPerS, int[] segment) {
         if (vxPxPerS.length != segment.length || vyPxPerS.length != segment.length) {
@@ -46,10 +46,10 @@ public final class FlowEstimate {
     }
 
     /**
-     * Lets a method label a simulated recording.
+     * Labels a simulated recording with a method that labels each event at once.
      *
-     * @param recording what is labelled
-     * @param method made for the recording's sensor; not reset before
+     * @param recording the recording to label
+     * @param method a method made for the recording's sensor; it is not reset first
      * @return the estimate
      */
     public static FlowEstimate of(SimulatedRecording recording, EventLabeller method) {
@@ -59,10 +59,10 @@ public final class FlowEstimate {
     }
 
     /**
-     * Lets a method label a simulated recording, at once or later.
+     * Labels a simulated recording with a method that may label events later than it takes them.
      *
-     * @param recording what is labelled
-     * @param method made for the recording's sensor; it has seen nothing
+     * @param recording the recording to label
+     * @param method a method made for the recording's sensor, which has not yet seen any event
      * @return the estimate
      */
     public static FlowEstimate of(SimulatedRecording recording, Labelling method) {
@@ -93,11 +93,11 @@ public final class FlowEstimate {
     }
 
     /**
-     * Lets a method label what follows in a simulated recording, and appends it.
+     * Labels the next events of a simulated recording, and appends their labels.
      *
-     * @param recording what is labelled
-     * @param method has labelled all events of this estimate
-     * @param until event to stop before
+     * @param recording the recording to label
+     * @param method the method that has labelled all events of this estimate
+     * @param until number of the event to stop before
      */
     public void label(SimulatedRecording recording, EventLabeller method, int until) {
         EventBatch batch = new EventBatch(BATCH);
@@ -113,8 +113,8 @@ public final class FlowEstimate {
     /**
      * Appends the labels of a batch.
      *
-     * @param output what the method wrote
-     * @param count how many of its entries belong to events
+     * @param output the labels that the method wrote
+     * @param count number of entries of the output that belong to events
      */
     public void append(FlowOutput output, int count) {
         int needed = size + count;
@@ -136,7 +136,7 @@ public final class FlowEstimate {
     }
 
     /**
-     * {@return the velocity of event i to the right in px/s; means something only where {@link #hasFlow}}
+     * {@return the velocity of event i to the right in px/s; valid only if {@link #hasFlow}}
      *
      * @param i number of the event, from 0
      */
@@ -145,7 +145,7 @@ public final class FlowEstimate {
     }
 
     /**
-     * {@return the velocity of event i downwards in px/s}
+     * {@return the velocity of event i downwards in px/s; valid only if {@link #hasFlow}}
      *
      * @param i number of the event, from 0
      */
@@ -154,7 +154,7 @@ public final class FlowEstimate {
     }
 
     /**
-     * {@return the segment of event i, 0 where it has none}
+     * {@return the id of the segment of event i, 0 if the event has none}
      *
      * @param i number of the event, from 0
      */

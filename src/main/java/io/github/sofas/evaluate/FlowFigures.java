@@ -14,42 +14,44 @@ package io.github.sofas.evaluate;
  *   relative outlier           |u - v| &gt; 0.05 |v|
  *   runaway                    |u| &gt; 2 max |v|, over all objects' events that count
  * </pre>
- * The mean endpoint error is the AEE. An outlier is jAER's: KITTI's 3 px an image at EV-FlowNet's 45 images per second;
- * since no object slower than about 100 px/s can well miss by that, KITTI's second bound, 5 %, is counted for itself.
+ * The mean endpoint error is the AEE. The bound of an outlier is jAER's: KITTI's 3 px per image at EV-FlowNet's 45
+ * images per second. The error of an object slower than about 100 px/s hardly ever reaches this bound. KITTI's second
+ * bound, 5 %, is therefore counted separately.
  *
- * <p>Relative figures and angles need a true direction: events whose true speed is below {@value #MIN_TRUE_SPEED} px/s
- * (jAER: is 0) do not count in them, but do in the endpoint error. An event whose estimate is exactly 0 but that has a
- * segment counts, with a magnitude error of -100 %, and has no angle; jAER takes it for an event without flow.
+ * <p>Relative figures and angles need a true direction. Events whose true speed is below {@value #MIN_TRUE_SPEED} px/s
+ * (in jAER: is 0) do not count in these figures, but they count in the endpoint error. An event with a segment whose
+ * estimate is exactly 0 counts with a magnitude error of -100 % and has no angle; jAER treats it as an event without
+ * flow.
  *
- * @param object the object's id; {@link #ALL_OBJECTS} for all together
- * @param events events of the object that count
- * @param eventsWithFlow those of them that have flow
+ * @param object id of the object; {@link #ALL_OBJECTS} for all objects together
+ * @param events number of the object's events that count
+ * @param eventsWithFlow number of those events that have flow
  * @param magnitudeErrorPercent signed, in %
  * @param directionErrorDeg signed, in degrees
  * @param angularErrorDeg unsigned, in degrees
  * @param endpointErrorPxPerS in px/s
  * @param relativeEndpointErrorPercent in %
- * @param outliers events with flow that are outliers
- * @param relativeOutliers events with flow that are relative outliers, of those that have a true direction
- * @param peakTrueSpeedPxPerS greatest true speed of an event that counts
- * @param runaways events with flow that are runaways
+ * @param outliers number of events with flow that are outliers
+ * @param relativeOutliers number of events with flow and a true direction that are relative outliers
+ * @param peakTrueSpeedPxPerS greatest true speed of the events that count, in px/s
+ * @param runaways number of events with flow that are runaways
  */
 public record FlowFigures(int object, long events, long eventsWithFlow, Distribution magnitudeErrorPercent,
                           Distribution directionErrorDeg, Distribution angularErrorDeg,
                           Distribution endpointErrorPxPerS, Distribution relativeEndpointErrorPercent, long outliers,
                           long relativeOutliers, double peakTrueSpeedPxPerS, long runaways) {
-    /** Stands for all objects together. */
+    /** In place of an object's id, stands for all objects together. */
     public static final int ALL_OBJECTS = -1;
-    /** Slowest true speed that has a direction, in px/s. */
+    /** Smallest true speed that counts as having a direction, in px/s. */
     public static final double MIN_TRUE_SPEED = 1;
-    /** An endpoint error above this is an outlier, in px/s. */
+    /** Endpoint error above which an event is an outlier, in px/s: 3 px per image at 45 images per second. */
     public static final double OUTLIER_PX_PER_S = 3 * 45;
-    /** A speed above this multiple of the fastest true one is a runaway. */
+    /** Multiple of the greatest true speed above which an estimated speed is a runaway. */
     public static final double RUNAWAY_RATIO = 2;
-    /** A relative endpoint error above this is a relative outlier, in %. */
+    /** Relative endpoint error above which an event is a relative outlier, in %. */
     public static final double RELATIVE_OUTLIER_PERCENT = 5;
 
-    /** {@return the share of the object's events that have flow, 0 where there are none} */
+    /** {@return the share of the object's events that have flow; 0 if there are no events} */
     public double shareWithFlow() {
         return share(eventsWithFlow, events);
     }
@@ -65,8 +67,8 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
     }
 
     /**
-     * {@return the mean endpoint error in % of the greatest true speed} For objects that turn round, where |v| passes
-     * 0.
+     * {@return the mean endpoint error in % of the greatest true speed} Suits objects that reverse, whose |v| passes
+     * through 0, so that the relative endpoint error means little.
      */
     public double endpointErrorPercentOfPeak() {
         return peakTrueSpeedPxPerS == 0 ? 0 : 100 * endpointErrorPxPerS.mean() / peakTrueSpeedPxPerS;
@@ -81,7 +83,7 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         return whole == 0 ? 0 : (double) part / whole;
     }
 
-    /** Sums up events one by one. */
+    /** Accumulates the errors of events one by one. */
     static final class Gatherer {
         private final int object;
         private final Distribution.Gatherer magnitude = new Distribution.Gatherer();
@@ -97,7 +99,7 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
         private double peak;
         private long runaways;
 
-        /** Makes one; the fastest true speed is that of any object's event that counts. */
+        /** Makes one for an object; {@code fastestPxPerS} is the greatest true speed of all objects' counted events. */
         Gatherer(int object, double fastestPxPerS) {
             this.object = object;
             runawayPxPerS = RUNAWAY_RATIO * fastestPxPerS;
@@ -145,7 +147,7 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
     }
 
     /**
-     * {@return the magnitude error of the estimate u of the true velocity v, which is not 0, in %}
+     * {@return the magnitude error of the estimate u, in %} The true velocity v must not be 0.
      *
      * @param vx true velocity to the right, px/s
      * @param vy true velocity downwards, px/s
@@ -158,8 +160,8 @@ public record FlowFigures(int object, long events, long eventsWithFlow, Distribu
     }
 
     /**
-     * {@return the angle from the true velocity v to the estimate u, in degrees, above -180 to 180} Positive is
-     * clockwise on screen. The cross and dot product together keep tiny angles exact, which an arc cosine does not.
+     * {@return the angle from the true velocity v to the estimate u, in degrees, in (-180, 180]} Positive angles are
+     * clockwise on screen. The cross and dot product together keep tiny angles exact, unlike an arc cosine.
      *
      * @param vx true velocity to the right, px/s
      * @param vy true velocity downwards, px/s

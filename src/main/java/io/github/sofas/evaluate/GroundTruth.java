@@ -3,12 +3,13 @@ package io.github.sofas.evaluate;
 import io.github.sofas.simulate.SimulatedRecording;
 
 /**
- * What is true of each event of a recording, in parallel arrays. The arrays are held, not copied.
+ * The truth of each event of a recording: the velocity and the object behind the event, in parallel arrays. The arrays
+ * are held, not copied.
  *
- * @param timeUs time in µs, never falling
+ * @param timeUs time in µs, never decreasing
  * @param vxPxPerS velocity of the object's surface at the event, to the right, in px/s
- * @param vyPxPerS the same downwards
- * @param object id of the object that caused the event, from 1; 0 where it is noise
+ * @param vyPxPerS velocity of the object's surface at the event, downwards, in px/s
+ * @param object id of the object that caused the event, from 1; 0 for noise
  */
 public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int[] object) {
     /** The object id of noise. */
@@ -17,11 +18,11 @@ public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int
     /**
      * Checks the arrays.
      *
-     * @param timeUs time in µs, never falling
+     * @param timeUs time in µs, never decreasing
      * @param vxPxPerS velocity of the object's surface at the event, to the right, in px/s
-     * @param vyPxPerS the same downwards
-     * @param object id of the object that caused the event, from 1; 0 where it is noise
-     * @throws IllegalArgumentException where lengths differ, time falls, an id is negative or a velocity is not finite
+     * @param vyPxPerS velocity of the object's surface at the event, downwards, in px/s
+     * @param object id of the object that caused the event, from 1; 0 for noise
+     * @throws IllegalArgumentException if lengths differ, time decreases, an id is negative or a velocity is not finite
      */
     public GroundTruth {
         int n = timeUs.length;
@@ -46,19 +47,19 @@ public record GroundTruth(long[] timeUs, float[] vxPxPerS, float[] vyPxPerS, int
     }
 
     /**
-     * {@return what the simulator knows of its recording; the recording's own arrays}
+     * {@return the truth that the simulator stored with a recording; shares the recording's arrays}
      *
-     * @param recording of the simulator
+     * @param recording a recording of the simulator
      */
     public static GroundTruth of(SimulatedRecording recording) {
         return new GroundTruth(recording.timeUs, recording.vxPxPerS, recording.vyPxPerS, recording.object);
     }
 
     /**
-     * {@return the first event that counts if a share of the time is left out at the beginning} Its time is the first
-     * that is at least first + share (last - first).
+     * {@return the number of the first event that counts if a share of the time is left out at the beginning} This is
+     * the first event whose time is at least first + share (last - first).
      *
-     * @param skipFirstShare 0 to below 1
+     * @param skipFirstShare share of the time that is left out, 0 to below 1
      */
     public int firstCounted(double skipFirstShare) {
         int n = size();

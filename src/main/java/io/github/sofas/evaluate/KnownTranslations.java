@@ -9,23 +9,24 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Best single translations of windows that were searched before: the search takes most of the time that sharpness
- * takes, and depends on the events alone. Several threads may use one.
+ * Cache of the best single translations of windows. The search takes most of the time of measuring sharpness, but its
+ * result depends on the events alone and can be reused for other methods. Several threads may share one instance.
  */
 public final class KnownTranslations {
     private static final String NUMBER = "(-?\\d+(?:\\.\\d+)?(?:E-?\\d+)?)";
-    /** Window and velocity; the name of the recording may have commas. */
+    /** A line: key of the window, then the velocity. The name of the recording may contain commas. */
     private static final Pattern LINE = Pattern.compile("(.*,-?\\d+,-?\\d+,\\d+)," + NUMBER + "," + NUMBER);
     private static final String HEADER = "recording,from_us,until_us,events,vx_px_per_s,vy_px_per_s";
 
     private final Map<String, double[]> velocities = new TreeMap<>();
 
     /**
-     * Reads those of a file, if it is there; what is not a line of {@link #write} is passed over and found anew.
+     * Reads the translations of a file, if the file exists. Lines that {@link #write} did not write are skipped; the
+     * translations of their windows are searched again.
      *
      * @param file the file
-     * @return what the file holds; nothing where there is none
-     * @throws IOException where it cannot be read
+     * @return the translations of the file; none if the file does not exist
+     * @throws IOException if the file cannot be read
      */
     public static KnownTranslations read(Path file) throws IOException {
         KnownTranslations known = new KnownTranslations();
@@ -46,10 +47,10 @@ public final class KnownTranslations {
     }
 
     /**
-     * Writes them as lines of recording, first and last time of the window, its events, and the velocity.
+     * Writes one line per window: recording, first and last time, number of events, and velocity.
      *
      * @param file the file
-     * @throws IOException where the file cannot be written
+     * @throws IOException if the file cannot be written
      */
     public synchronized void write(Path file) throws IOException {
         StringBuilder lines = new StringBuilder(HEADER).append('\n');
@@ -58,7 +59,7 @@ public final class KnownTranslations {
         Files.writeString(file, lines);
     }
 
-    /** Lets a translation take what is known of a window, or find it. */
+    /** Gives a translation the known velocity of a window, or has the translation find and store the velocity. */
     void take(String recording, MovedEvents window, SingleTranslation translation) {
         String key = recording + "," + window.firstUs() + "," + window.lastUs() + "," + window.size();
         double[] known;

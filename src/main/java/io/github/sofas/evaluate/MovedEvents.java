@@ -4,7 +4,10 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.flow.FlowOutput;
 import java.util.Arrays;
 
-/** The events of one window with their flow, in the order in which they came. */
+/**
+ * The events of one window with their flow, in order of arrival. They can be drawn as they are, moved along their own
+ * flow, or all moved along one velocity. Moving refers to the middle of the time between the first and last event.
+ */
 final class MovedEvents {
     private long[] timeUs = new long[1024];
     private short[] x = new short[1024];
@@ -62,17 +65,17 @@ final class MovedEvents {
         return y[i];
     }
 
-    /** Time of an event from the middle between the first and the last, in s. */
+    /** Time of event i relative to the middle between the first and the last event, in s. */
     double fromMiddleS(int i) {
         return (timeUs[i] - firstUs() - (lastUs() - firstUs()) / 2.0) * 1e-6;
     }
 
-    /** Draws the events where they were. */
+    /** Draws the events where they occurred. */
     void drawAsTheyAre(EventPicture picture) {
         drawMovedBy(picture, 0, 0);
     }
 
-    /** Draws the events where their own flow puts them at the window's middle; those without flow where they were. */
+    /** Draws each event where its own flow puts it at the window's middle; events without flow stay in place. */
     void drawMoved(EventPicture picture) {
         picture.clear();
         for (int i = 0; i < size; i++) {
@@ -81,7 +84,7 @@ final class MovedEvents {
         }
     }
 
-    /** Draws the events where one velocity puts them all at the window's middle. */
+    /** Draws all events where one common velocity puts them at the window's middle. */
     void drawMovedBy(EventPicture picture, double allVxPxPerS, double allVyPxPerS) {
         picture.clear();
         for (int i = 0; i < size; i++) {

@@ -7,7 +7,10 @@ import java.math.RoundingMode;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Every figure under the name that it has in text, JSON and CSV. A figure of nothing is null. */
+/**
+ * Maps every figure to its name, which is the same in text, JSON and CSV, and formats the values. A figure without any
+ * events behind it is null.
+ */
 final class NamedFigures {
     private static final int DECIMALS = 6;
 
@@ -112,12 +115,12 @@ final class NamedFigures {
         return count == 0 ? null : value;
     }
 
-    /** Means of counts that begin at 1: 0 stands for none. */
+    /** For means of counts that are at least 1: a value of 0 stands for no figure. */
     private static Number ofPositive(double value) {
         return value == 0 ? null : value;
     }
 
-    /** Whole numbers as they are, others with at most so many decimals, a point and no exponent. */
+    /** Formats whole numbers as they are, and others with the given number of decimals, a point and no exponent. */
     static String text(Number value, int decimals) {
         if (value instanceof Double) {
             return BigDecimal.valueOf(value.doubleValue()).setScale(decimals, RoundingMode.HALF_UP).toPlainString();
@@ -125,12 +128,12 @@ final class NamedFigures {
         return value.toString();
     }
 
-    /** As CSV and JSON have it. */
+    /** Formats a value for CSV and JSON. */
     static String text(Number value) {
         return text(value, DECIMALS);
     }
 
-    /** As tables for people have it. */
+    /** Formats a value for the tables that people read. */
     static String shortText(Number value) {
         return value == null ? "-" : text(value, 3);
     }
@@ -141,7 +144,7 @@ final class NamedFigures {
                 .append(',').append(value == null ? "" : text(value)).append('\n'));
     }
 
-    /** Writes an object with one field a figure. */
+    /** Writes a JSON object with one field per figure. */
     static void write(JsonGenerator json, Map<String, Number> figures) throws IOException {
         json.writeStartObject();
         for (Map.Entry<String, Number> figure : figures.entrySet()) {

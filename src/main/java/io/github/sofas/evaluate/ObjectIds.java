@@ -2,7 +2,10 @@ package io.github.sofas.evaluate;
 
 import java.util.Arrays;
 
-/** The objects of a recording, numbered from 0 in the order of their ids, and the event with which each appears. */
+/**
+ * The objects of a recording, numbered from 0 in the order of their ids. The consecutive numbers serve as array indices
+ * for figures by object. For each object, holds the event with which the object appears.
+ */
 final class ObjectIds {
     private final int[] ids;
     private final int[] firstEvents;
@@ -23,22 +26,22 @@ final class ObjectIds {
         }
     }
 
-    /** How many objects there are. */
+    /** Number of objects. */
     int count() {
         return ids.length;
     }
 
-    /** The id of an object. */
+    /** Id of an object. */
     int id(int index) {
         return ids[index];
     }
 
-    /** The number of event i's object, -1 where it is noise. */
+    /** Index of the object that caused event i; -1 for noise. */
     int indexOf(int i) {
         return indexOfEvent[i];
     }
 
-    /** The event with which an object appears. */
+    /** Number of the event with which an object appears. */
     int firstEvent(int index) {
         return firstEvents[index];
     }

@@ -6,55 +6,56 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * How well segments stand for objects: of one object, or of all together.
+ * How well segments represent objects, for one object or for all objects together.
  *
  * <p>Time is cut into windows (50 ms by default). In a window, O is the set of an object's events, labelled or not, and
- * S the set of events that carry a segment's id. Pairs of a window and an object count where O has at least
- * {@value #MIN_OBJECT_EVENTS} events; every pair weighs the same.
+ * S is the set of events that carry a segment's id. A pair of a window and an object counts if O has at least
+ * {@value #MIN_OBJECT_EVENTS} events. All pairs have the same weight.
  * <pre>
- *   intersection over union    max over segments of |O and S| / |O or S|; 0 where no event of O is labelled
+ *   intersection over union    max over segments of |O and S| / |O or S|; 0 if no event of O is labelled
  *   part of an object          segment with |O and S| at least 5 % of the labelled events of O, and 3 events
  *   parts per object           mean number of parts over the pairs that have one
  *   object of a part           object with |O and S| at least 5 % of S's events of any object, and 3 events
  *   objects per part           mean number of objects over the windows' segments that have one
- *   identity change            the best segment is another than in the object's pair before, both above 0
+ *   identity change            the best segment differs from that of the object's last pair that had one
  * </pre>
- * S holds its noise events: a method that labels everything near an object must not look better for it. The
- * {@link #meanIouWithoutNoise} leaves noise out of S, and shows how much of the loss is noise.
- * Parts are counted among labelled events so that a missing label, which the intersection over union already punishes,
- * does not lower them.
+ * S includes noise events, so that a method that labels everything near an object does not look better for it.
+ * {@link #meanIouWithoutNoise} leaves noise out of S, and shows how much of the loss is due to noise. Parts are counted
+ * among labelled events only, so that a missing label does not lower their number. The intersection over union already
+ * penalises missing labels.
  *
- * <p>An object is first labelled at its first labelled event for which at least half of that and the object's next
- * {@value #CONFIRMING_EVENTS} events, or all that are left, are labelled: one stray label is no detection. Its travel
- * is the sum of |v| dt over the object's events from its appearance to there. Both are over the whole recording, with
- * nothing left out at the beginning.
+ * <p>The first label of an object is on the object's first labelled event that later events confirm. Of this event and
+ * the object's next {@value #CONFIRMING_EVENTS} events (or all that are left), at least half must be labelled. A single
+ * stray label is thus no detection. The travel until the first label is the sum of |v| dt over the object's events from
+ * its appearance to this event. Time and travel until the first label are taken over the whole recording, including its
+ * beginning.
  *
- * @param object the object's id; {@link FlowFigures#ALL_OBJECTS} for all together
- * @param pairs pairs of a window and an object that count
+ * @param object id of the object; {@link FlowFigures#ALL_OBJECTS} for all objects together
+ * @param pairs number of pairs of a window and an object that count
  * @param meanIou mean intersection over union, 0 to 1
  * @param meanIouWithoutNoise the same with noise left out of the segments
  * @param worstIou smallest intersection over union of a pair
- * @param partsPerObject mean number of parts, 0 where no pair has one
- * @param objectsPerPart mean number of objects, of the parts that hold the object; 0 where there is no part
- * @param identityChanges how often the best segment changed
- * @param labelled how many objects were ever labelled
- * @param firstLabelledUs time from appearance until first labelled in µs, the longest where several objects; 0 where
- *     none was ever labelled
- * @param firstLabelledPx travel until then in px, the longest where several objects
+ * @param partsPerObject mean number of parts; 0 if no pair has a part
+ * @param objectsPerPart mean number of objects over the parts that hold the object; 0 if there is no such part
+ * @param identityChanges number of changes of the best segment
+ * @param labelled number of objects that were ever labelled
+ * @param firstLabelledUs time from appearance to the first label, in µs; the longest of several objects; 0 if no
+ *     object was ever labelled
+ * @param firstLabelledPx travel from appearance to the first label, in px; the longest of several objects
  */
 public record SegmentationFigures(int object, long pairs, double meanIou, double meanIouWithoutNoise, double worstIou,
                                   double partsPerObject, double objectsPerPart, long identityChanges, int labelled,
                                   long firstLabelledUs, double firstLabelledPx) {
-    /** Fewest events of an object in a window that counts. */
+    /** Smallest number of an object's events in a window for the pair to count. */
     public static final int MIN_OBJECT_EVENTS = 10;
-    /** Least share that makes a part. */
+    /** Smallest share of events that makes a part. */
     public static final double PART_SHARE = 0.05;
-    /** Fewest events that make a part. */
+    /** Smallest number of events that makes a part. */
     public static final int MIN_PART_EVENTS = 3;
-    /** Events after a label that must confirm it. */
+    /** Number of events after a label among which other labels must confirm it. */
     public static final int CONFIRMING_EVENTS = 19;
 
-    /** Sums up windows, per object; the last sum is that of all objects. */
+    /** Accumulates windows, for each object and for all objects together. */
     static final class Gatherer {
         private final GroundTruth truth;
         private final FlowEstimate estimate;
@@ -75,7 +76,7 @@ public record SegmentationFigures(int object, long pairs, double meanIou, double
             long identityChanges;
         }
 
-        /** A segment in a window: its events by object, the noise at the end. */
+        /** A segment in a window: its number of events by object, with noise as the last entry. */
         private static final class Part {
             final int[] events;
             int all;
@@ -96,7 +97,7 @@ public record SegmentationFigures(int object, long pairs, double meanIou, double
             bestBefore = new int[ids.count()];
         }
 
-        /** Adds the window that holds the events from one to before another. */
+        /** Adds the window that holds the events with numbers {@code from} to {@code until}, exclusive. */
         void addWindow(int from, int until) {
             int count = ids.count();
             int[] events = new int[count];
@@ -134,7 +135,7 @@ public record SegmentationFigures(int object, long pairs, double meanIou, double
                 int common = part.events[o];
                 double iou = (double) common / (events + part.all - common);
                 int withoutNoise = part.all - part.events[ids.count()];
-                // The smaller id wins a tie, so that the order of a hash map does not show.
+                // The smaller id wins a tie, so that the result does not depend on the order of a hash map.
                 if (iou > best || iou == best && iou > 0 && entry.getKey() < bestSegment) {
                     best = iou;
                     bestSegment = entry.getKey();
@@ -183,7 +184,7 @@ public record SegmentationFigures(int object, long pairs, double meanIou, double
             }
         }
 
-        /** The figures of one object. */
+        /** Returns the figures of one object. */
         SegmentationFigures figures(int o) {
             int first = ids.firstEvent(o);
             int labelled = firstLabelledEvent(o);
@@ -194,7 +195,7 @@ public record SegmentationFigures(int object, long pairs, double meanIou, double
                     travelPx(o, first, labelled));
         }
 
-        /** The figures of all objects together. */
+        /** Returns the figures of all objects together. */
         SegmentationFigures figuresOfAll() {
             int labelled = 0;
             long longestUs = 0;

@@ -7,48 +7,54 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How sharp flow makes the picture of a recording, where no truth is known: the flow warp loss of Stoffregen et al.,
- * "Reducing the sim-to-real gap for event cameras", ECCV 2020.
+ * How much sharper the flow makes the picture of a recording. Measures accuracy without truth, by the flow warp loss of
+ * Stoffregen et al., "Reducing the sim-to-real gap for event cameras", ECCV 2020.
  *
- * <p>Time is cut into windows without gaps. A window ends with the event that makes it {@value #EVENTS_PER_PX} events a
- * pixel of the sensor and at least {@value #SHORTEST_US} µs, or before the event that would make it
- * {@value #LONGEST_US} µs; the last one ends with the recording. In a window three pictures are made of all its events,
- * each by counting, for every pixel of the sensor, the events of either polarity that are nearest to it: the events
- * where they were; each event moved along its own flow to the middle between the window's first and last event (events
- * without flow stay, and events that leave the sensor are not seen); and all events moved along one velocity, the best
- * that a search finds. Each picture is blurred with a Gaussian of 1 px, else edges that slide along themselves would
- * look sharper, and its variance is taken over all pixels of the sensor.
+ * <p>Time is cut into windows without gaps. A window ends with the event that completes {@value #EVENTS_PER_PX} events
+ * per pixel of the sensor, but not before {@value #SHORTEST_US} µs have passed. At the latest, a window ends before the
+ * event that would extend it to {@value #LONGEST_US} µs; the last window ends with the recording.
+ *
+ * <p>All events of a window are drawn in three pictures, each of which counts the events of either polarity at the
+ * nearest pixel of the sensor:
+ * <ul>
+ * <li>the events where they occurred;
+ * <li>each event moved along its own flow to the middle between the window's first and last event, where events without
+ *     flow stay in place and events that leave the sensor are not drawn;
+ * <li>all events moved along one velocity, the best that a search finds.
+ * </ul>
+ * Each picture is blurred with a Gaussian of 1 px, because edges that slide along themselves would look sharper
+ * otherwise. Its variance is then taken over all pixels of the sensor.
  * <pre>
  *   sharpness              variance of the events moved along their flow / variance of the events as they are
  *   ... of a translation   variance of the events moved along the best single velocity / the same
  *   gain                   (sharpness - 1) / (sharpness of the best single translation - 1)
  * </pre>
- * Figures of the whole recording are those formulas with the variances summed over the windows; a busy window weighs
- * more, and a few events of noise next to nothing. A gain of 1 is as good as one velocity for the whole picture that
- * was chosen with knowledge of the window's future; below 0 the flow blurs the picture.
+ * Figures of the whole recording use the same formulas with the variances summed over the windows. A busy window thus
+ * weighs more, and a window with a few noise events next to nothing. A gain of 1 is as good as a single velocity for
+ * the whole picture, chosen with knowledge of the window's future. With a gain below 0, the flow blurs the picture.
  *
- * @param windows every window, in order
+ * @param windows all windows, in order
  */
 public record Sharpness(List<SharpnessWindow> windows) {
-    /** Events a pixel of the sensor that fill a window. */
+    /** Number of events per pixel of the sensor that fills a window. */
     public static final double EVENTS_PER_PX = 0.2;
-    /** Least time of a window in µs. */
+    /** Shortest duration of a window that events fill, in µs. */
     public static final long SHORTEST_US = 20_000;
-    /** Time that no window reaches, in µs. */
+    /** Upper bound on the duration of a window, exclusive, in µs. */
     public static final long LONGEST_US = 300_000;
-    /** A single translation that sharpens by less has no gain to be held against. */
+    /** Least amount by which single translations must sharpen the picture for the gain of a flow to be defined. */
     public static final double LEAST_TRANSLATION_GAIN = 0.001;
 
     /**
      * Makes the list immutable.
      *
-     * @param windows every window, in order
+     * @param windows all windows, in order
      */
     public Sharpness {
         windows = List.copyOf(windows);
     }
 
-    /** {@return the sharpness of the flow; 1 where there is no variance} */
+    /** {@return the sharpness of the flow; 1 if there is no variance} */
     public double sharpness() {
         return ratio(movedVariance(), variance());
     }
@@ -63,7 +69,7 @@ public record Sharpness(List<SharpnessWindow> windows) {
         return hasGain(translationSharpness());
     }
 
-    /** {@return the gain of the flow over the best single translation; means something only where {@link #hasGain}} */
+    /** {@return the gain of the flow over the best single translation; meaningful only if {@link #hasGain}} */
     public double gain() {
         return gain(sharpness(), translationSharpness());
     }
@@ -73,7 +79,7 @@ public record Sharpness(List<SharpnessWindow> windows) {
         return windows.stream().mapToLong(SharpnessWindow::events).sum();
     }
 
-    /** {@return how many of them have flow} */
+    /** {@return the number of events that have flow} */
     public long eventsWithFlow() {
         return windows.stream().mapToLong(SharpnessWindow::eventsWithFlow).sum();
     }
@@ -107,7 +113,7 @@ public record Sharpness(List<SharpnessWindow> windows) {
         return hasGain(translationSharpness) ? (sharpness - 1) / (translationSharpness - 1) : 0;
     }
 
-    /** Measures a recording while it is labelled, window by window, in memory for one window. */
+    /** Measures a recording, window by window, while it is labelled. Holds the events of one window in memory. */
     public static final class Gatherer {
         private final int eventsOfFullWindow;
         private final EventPicture picture;
@@ -129,11 +135,11 @@ public record Sharpness(List<SharpnessWindow> windows) {
         }
 
         /**
-         * Makes one that looks up the best single translations, and adds those that are not known.
+         * Makes one that looks up the best single translations, and searches and adds those that are not known.
          *
          * @param sensor size of the pixel array
          * @param known translations that were found before; new ones are added
-         * @param recording what the recording is called among them
+         * @param recording name of the recording among the known translations
          */
         public Gatherer(SensorSize sensor, KnownTranslations known, String recording) {
             this(sensor, known, recording, true);
@@ -149,17 +155,18 @@ public record Sharpness(List<SharpnessWindow> windows) {
         }
 
         /**
-         * Makes one that looks for no single translation, which takes most of the time: all that it says is rest.
+         * Makes one without the search for the best single translation, which takes most of the time. Rest stands in
+         * for the translation of each window.
          *
          * @param sensor size of the pixel array
-         * @return one that is empty
+         * @return an empty gatherer
          */
         public static Gatherer withoutTranslation(SensorSize sensor) {
             return new Gatherer(sensor, null, "", false);
         }
 
         /**
-         * Adds a batch and what a method said of it; the windows do not depend on how events are cut into batches.
+         * Adds a batch and its labels. The windows do not depend on how the events are cut into batches.
          *
          * @param batch the events
          * @param flow labels of the same events
@@ -198,7 +205,7 @@ public record Sharpness(List<SharpnessWindow> windows) {
         }
 
         /**
-         * Ends the last window and gives the figures; nothing can be added after.
+         * Ends the last window and returns the figures. No events may be added afterwards.
          *
          * @return the figures
          */
@@ -210,9 +217,9 @@ public record Sharpness(List<SharpnessWindow> windows) {
         }
 
         /**
-         * Gives the window that has the most events with flow, as pictures.
+         * Returns the pictures of the window with the most events that have flow.
          *
-         * @return the first of equals; null before the first window has ended
+         * @return the pictures, of the first such window; null before the first window has ended
          */
         public WindowPictures fullest() {
             return fullest;

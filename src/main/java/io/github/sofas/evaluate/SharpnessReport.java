@@ -10,21 +10,22 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * How sharp a method's flow makes the picture of a recording, for people and for programs. All forms name the figures
- * alike; a gain over a translation that sharpens nothing is {@code -} in the text, empty in CSV and null in JSON.
+ * Report of how sharp a method's flow makes the picture of a recording, as text for people and as CSV and JSON for
+ * programs. All forms use the same names for the figures. A gain over a translation that sharpens nothing is {@code -}
+ * in the text, empty in CSV and null in JSON.
  *
- * @param version of the program
+ * @param version version of the program
  * @param recording path of the recording, as it was given
  * @param method name of the method
- * @param preset name of the preset that its parameters started from; empty where the method has none
- * @param parameters every parameter of the method by its option's name: a Number, Boolean or String each
- * @param run what came of it
+ * @param preset name of the preset that the parameters started from; empty if the method has no presets
+ * @param parameters every parameter of the method by the name of its option; each value is a Number, Boolean or String
+ * @param run the measurement of the recording
  */
 public record SharpnessReport(String version, String recording, String method, String preset,
                               Map<String, Object> parameters, SharpnessRun run) {
     private static final int COLUMN_WIDTH = 12;
 
-    /** {@return a line of totals, then a table of the windows; lines end in LF} */
+    /** {@return lines of totals, then a table of the windows; lines end in LF} */
     public String text() {
         Sharpness sharpness = run.sharpness();
         StringBuilder text = new StringBuilder();
@@ -70,11 +71,11 @@ public record SharpnessReport(String version, String recording, String method, S
     }
 
     /**
-     * Writes one line per figure, {@value EvaluationReport#CSV_HEADER}: section is sharpness; of is {@code all} or the
-     * number of a window from 0. Leaves the stream open.
+     * Writes one line per figure with the columns {@value EvaluationReport#CSV_HEADER}. The section is sharpness. The
+     * column "of" holds {@code all} or the number of a window, from 0.
      *
-     * @param out gets the text; left open
-     * @throws IOException where it cannot be written
+     * @param out stream for the text; left open
+     * @throws IOException if the text cannot be written
      */
     public void writeCsv(OutputStream out) throws IOException {
         StringBuilder csv = new StringBuilder(EvaluationReport.CSV_HEADER).append('\n');
@@ -87,10 +88,10 @@ public record SharpnessReport(String version, String recording, String method, S
     }
 
     /**
-     * Writes a JSON document; leaves the stream open.
+     * Writes the report as a JSON document.
      *
-     * @param out gets the text; left open
-     * @throws IOException where it cannot be written
+     * @param out stream for the text; left open
+     * @throws IOException if the text cannot be written
      */
     public void writeJson(OutputStream out) throws IOException {
         try (JsonGenerator json = Json.open(out)) {

@@ -7,14 +7,15 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The one velocity that makes the picture of all events of a window sharpest: what a method that knows no segments, but
- * has seen the whole window, could do at best.
+ * Searches for the one velocity that makes the picture of all events of a window sharpest. This is the best that a
+ * method can achieve if it does not know segments, but has seen the whole window.
  *
- * <p>All travels over the window of up to half the sensor's longer side are looked through, on a grid of at most
- * {@value #STEPS} steps to each side with cells as large as a step, by the variance of the counts of at most
- * {@value #COARSE_EVENTS} events. The best peaks are followed while steps and cells are halved; the best of those, the
- * velocity of the window before and rest are then improved on the picture itself, in steps down to a quarter pixel of
- * travel. So the result is never less sharp than the events as they are.
+ * <p>The coarse search covers all travels over the window of up to half the sensor's longer side. It takes a grid of at
+ * most {@value #STEPS} steps to each side, with cells as large as a step, and the variance of the counts of at most
+ * {@value #COARSE_EVENTS} events. The best peaks are refined while steps and cells are halved. The fine search starts
+ * from the best refined peaks, the velocity of the previous window, and rest. It climbs on the variance of the picture
+ * itself, in steps down to a quarter pixel of travel. The result is therefore never less sharp than the events as they
+ * are.
  */
 final class SingleTranslation {
     private static final int STEPS = 16;
@@ -32,11 +33,11 @@ final class SingleTranslation {
     private double vyPxPerS;
     private double variance;
 
-    /** A travel over the window in px, and how sharp it makes a picture. */
+    /** A travel over the window in px, and the variance of the picture of the events moved by this travel. */
     private record Travel(double x, double y, double variance) {
     }
 
-    /** Some of a window's events: place in px, and time from the window's middle in windows. */
+    /** Some of a window's events: position in px, and time from the window's middle, in units of the window. */
     private record Sample(double[] x, double[] y, double[] time) {
     }
 
@@ -46,22 +47,22 @@ final class SingleTranslation {
         cells = new int[(sensor.width() + 1) * (sensor.height() + 1)];
     }
 
-    /** The velocity found last, in px/s. */
+    /** Velocity found last, to the right, in px/s. */
     double vxPxPerS() {
         return vxPxPerS;
     }
 
-    /** The same downwards. */
+    /** Velocity found last, downwards, in px/s. */
     double vyPxPerS() {
         return vyPxPerS;
     }
 
-    /** Variance of the picture that it makes. */
+    /** Variance of the picture of the events moved along the velocity found last. */
     double variance() {
         return variance;
     }
 
-    /** Takes a velocity that was found before. */
+    /** Takes a velocity that was found before, and measures the variance of the picture. */
     void take(MovedEvents events, double knownVxPxPerS, double knownVyPxPerS) {
         vxPxPerS = knownVxPxPerS;
         vyPxPerS = knownVyPxPerS;
@@ -69,7 +70,7 @@ final class SingleTranslation {
         variance = picture.variance();
     }
 
-    /** Finds the velocity of a window's events. */
+    /** Searches for the best velocity of a window's events. */
     void find(MovedEvents events) {
         events.drawAsTheyAre(picture);
         Travel best = new Travel(0, 0, picture.variance());
@@ -81,7 +82,7 @@ final class SingleTranslation {
             starts.add(best);
             for (Travel start : starts) {
                 Travel improved = improve(events, windowS, start);
-                // The first of equals: the order of the starts is fixed.
+                // The first of equals wins; the order of the starts is fixed.
                 if (improved.variance > best.variance) {
                     best = improved;
                 }
@@ -184,7 +185,7 @@ final class SingleTranslation {
         return squares / size - sum / size * (sum / size);
     }
 
-    /** Climbs from a travel to a peak of the picture's variance. */
+    /** Climbs from a travel to a local maximum of the picture's variance. */
     private Travel improve(MovedEvents events, double windowS, Travel start) {
         Travel best = exactly(events, windowS, start.x, start.y);
         double step = FIRST_STEP_PX;

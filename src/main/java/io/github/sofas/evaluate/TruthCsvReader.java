@@ -9,15 +9,16 @@ import java.nio.file.Path;
 import java.util.Arrays;
 
 /**
- * Reads truth from a CSV file beside its recording and holds each line against the event that it belongs to.
+ * Reads truth from a CSV file in step with the recording, and checks each line against its event. A truth file of
+ * another recording is thus detected.
  *
- * <p>The first line names the columns {@value #HEADER}, in any order and among others; then comes a line for each event
- * of the recording whose truth is known, in order. Polarity is 1 or -1, object 0 for noise. The two velocities of noise
- * may be empty.
+ * <p>The first line names the columns {@value #HEADER}, in any order and possibly among other columns. One line follows
+ * for each event of the recording whose truth is known, in order. Polarity is 1 or -1; object is 0 for noise. The two
+ * velocities of noise may be empty.
  */
 public final class TruthCsvReader implements Closeable {
     private static final String ID_COLUMN = "object";
-    /** The first line, without its end. */
+    /** The first line in its usual form, without the line end. */
     public static final String HEADER = EventCsvReader.EVENT_COLUMNS + ID_COLUMN;
 
     private final EventCsvReader rows;
@@ -28,7 +29,7 @@ public final class TruthCsvReader implements Closeable {
     private int[] object = new int[1024];
     private int size;
     private long events;
-    /** Whether the row read last has not met its event, and what is to be said if it never does. */
+    /** Whether the row read last still waits for its event; {@code expected} begins the message if none matches. */
     private boolean isWaiting;
     private String expected = "";
 
@@ -41,8 +42,8 @@ public final class TruthCsvReader implements Closeable {
      *
      * @param file the file
      * @return the reader
-     * @throws TruthException where that is another
-     * @throws IOException where it cannot be read
+     * @throws TruthException if the first line lacks a column
+     * @throws IOException if the file cannot be read
      */
     public static TruthCsvReader open(Path file) throws TruthException, IOException {
         try {
@@ -55,10 +56,10 @@ public final class TruthCsvReader implements Closeable {
     /**
      * Reads the lines of the next events of the recording.
      *
-     * @param batch the events whose truth comes next in the file
-     * @param known becomes true for each event that the file has the truth of, false for the others
-     * @throws TruthException where a line is malformed or of another recording
-     * @throws IOException where the file cannot be read
+     * @param batch the next events of the recording
+     * @param known is set to true for each event whose truth is in the file, and to false for the others
+     * @throws TruthException if a line is malformed or belongs to another recording
+     * @throws IOException if the file cannot be read
      */
     public void read(EventBatch batch, boolean[] known) throws TruthException, IOException {
         makeRoom(batch.size());
@@ -75,9 +76,9 @@ public final class TruthCsvReader implements Closeable {
     /**
      * Reads the lines of the next events of the recording, each of which must have one.
      *
-     * @param batch the events whose truth comes next in the file
-     * @throws TruthException where a line is missing, malformed or of another recording
-     * @throws IOException where the file cannot be read
+     * @param batch the next events of the recording
+     * @throws TruthException if a line is missing or malformed, or belongs to another recording
+     * @throws IOException if the file cannot be read
      */
     public void read(EventBatch batch) throws TruthException, IOException {
         boolean[] known = new boolean[batch.size()];
@@ -91,7 +92,7 @@ public final class TruthCsvReader implements Closeable {
         }
     }
 
-    /** Takes the row of an event; false where the file has none. */
+    /** Takes the row of an event; returns false if the file has no row for the event. */
     private boolean readRow(long time, int x, int y, int polarity) throws EventSourceException, IOException {
         if (!isWaiting) {
             isWaiting = rows.next();
@@ -124,10 +125,10 @@ public final class TruthCsvReader implements Closeable {
     }
 
     /**
-     * Says that the recording has ended.
+     * Checks that the file ends together with the recording.
      *
-     * @throws TruthException where the file goes on
-     * @throws IOException where it cannot be read
+     * @throws TruthException if the file has further lines
+     * @throws IOException if the file cannot be read
      */
     public void end() throws TruthException, IOException {
         try {

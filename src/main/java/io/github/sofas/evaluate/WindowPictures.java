@@ -1,11 +1,12 @@
 package io.github.sofas.evaluate;
 
 /**
- * A window's events as two pictures: how many each pixel has, row by row. The arrays are not to be changed.
+ * Two pictures of a window's events: the number of events of each pixel, row by row. Callers must not change the
+ * arrays.
  *
- * @param window which
- * @param before the events where they were
- * @param after each event moved along its flow to the window's middle
+ * @param window the window
+ * @param before picture of the events where they occurred
+ * @param after picture of the events, each moved along its flow to the window's middle
  */
 public record WindowPictures(SharpnessWindow window, float[] before, float[] after) {
 }

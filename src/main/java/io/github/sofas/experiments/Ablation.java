@@ -21,8 +21,9 @@ import java.util.concurrent.Callable;
 import java.util.function.Function;
 
 /**
- * What each extension of the default preset buys: a table with a line for all extensions on, and for each switched off
- * alone, over random scenes and the recordings of real cameras where there are any.
+ * Measures what each extension of the default preset contributes. The result is a table with one line for all
+ * extensions switched on, and one line for each extension switched off alone. The figures cover random scenes, and
+ * recordings of real cameras if there are any.
  */
 public final class Ablation {
     private static final List<Column> COLUMNS = List.of(Column.IOU, Column.PARTS, Column.ERROR, Column.COVERAGE,
@@ -35,10 +36,10 @@ public final class Ablation {
     private final int jobs;
 
     /**
-     * Prepares it.
+     * Prepares the variants.
      *
-     * @param base parameters that extensions are switched off in
-     * @param jobs how many scenes or recordings are labelled at a time, at least 1
+     * @param base parameters in which extensions are switched off
+     * @param jobs number of scenes or recordings that are labelled at a time, at least 1
      */
     public Ablation(SofasParameters base, int jobs) {
         this.jobs = jobs;
@@ -75,8 +76,8 @@ public final class Ablation {
     /**
      * Labels recordings of real cameras with every variant.
      *
-     * @param known best single translations; those that are missing are found and added
-     * @throws IOException where the folder cannot be listed
+     * @param known best single translations; missing ones are found and added
+     * @throws IOException if the folder cannot be listed
      */
     public void recordings(Path folder, KnownTranslations known) throws IOException, InterruptedException {
         Map<String, Callable<Map<String, RecordingFigures>>> parts = new LinkedHashMap<>();
@@ -96,7 +97,7 @@ public final class Ablation {
             });
     }
 
-    /** A line for each recording that could not be read to its end; it does not count. */
+    /** One line for each recording that could not be read to its end; such a recording does not count. */
     public List<String> failures() {
         return List.copyOf(failures);
     }

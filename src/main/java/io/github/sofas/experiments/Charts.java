@@ -19,12 +19,12 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** Draws plots, histograms and metric maps, each for a light and a dark page. */
+/** Draws plots, histograms and metric maps as pictures, each for a light and a dark page. */
 final class Charts {
     private static final int PIXELS_PER_PX = 2;
     private static final Color CLEAR = new Color(0, 0, 0, 0);
 
-    /** The colours of a page. Inks are of Okabe and Ito's palette, which colour-blind people can distinguish. */
+    /** The colours of a page. The inks are of Okabe and Ito's palette, which colour-blind people can distinguish. */
     private enum Theme {
         LIGHT(0x222222, 0xDDDDDD, new int[] {0x222222, 0x0072B2, 0x009E73, 0xD55E00, 0xB0559A},
             new int[] {0x0072B2, 0xD55E00, 0x009E73, 0xB0559A, 0x8A6D00, 0x2E9AD0}),
@@ -51,7 +51,7 @@ final class Charts {
     private Charts() {
     }
 
-    /** A plot with a legend. */
+    /** Draws a plot with a legend. */
     static Picture of(Plot plot, int width, int height) {
         return picture(theme -> {
             XYChart chart = chart(theme, width, height, plot.title(), plot.xTitle(), plot.yTitle());
@@ -70,8 +70,8 @@ final class Charts {
     }
 
     /**
-     * With a first point half a step earlier, where nothing is drawn: XChart puts the ticks on the values themselves
-     * where those are evenly spaced, however odd they are.
+     * Adds a first point half a step earlier, where nothing is drawn. Without that point, XChart puts the ticks on
+     * evenly spaced values themselves, however odd the values are.
      */
     private static double[] withHalfStep(double[] x) {
         return with(x.length < 2 ? x[0] : 1.5 * x[0] - 0.5 * x[1], x);
@@ -84,7 +84,7 @@ final class Charts {
         return longer;
     }
 
-    /** A histogram of errors. */
+    /** Draws a histogram of errors. */
     static Picture of(Histogram histogram, String title, String xTitle, Plot.Ink ink, int width, int height) {
         int bins = histogram.counts().length;
         double[] x = new double[bins + 2];
@@ -93,7 +93,7 @@ final class Charts {
             x[b] = histogram.from(b);
             y[b] = histogram.percent(b);
         }
-        // half a bin, for XChart's ticks, as below
+        // half a bin, for XChart's ticks, as in withHalfStep
         x[bins] = histogram.middle(bins - 1);
         y[bins] = y[bins - 1];
         x[bins + 1] = histogram.limit();
@@ -111,7 +111,7 @@ final class Charts {
         }, width, height, "Histogram, " + title + ", " + xTitle);
     }
 
-    /** A map of metrics, darker where higher as in the paper, with the two axes' velocities. */
+    /** Draws a metric map, darker where the metric is higher as in the paper, with the velocities of the two axes. */
     static Picture of(MetricMap map, String title, int side) {
         BufferedImage cells = cells(map);
         int margin = 46;
@@ -143,7 +143,7 @@ final class Charts {
         return new Picture(images[0], images[1], all, all, title);
     }
 
-    /** A pixel per projection, darker where the metric is higher. */
+    /** Draws one pixel per projection, darker where the metric is higher. */
     static BufferedImage cells(MetricMap map) {
         BufferedImage cells = new BufferedImage(map.n(), map.n(), BufferedImage.TYPE_INT_RGB);
         long least = Long.MAX_VALUE;
@@ -165,7 +165,7 @@ final class Charts {
         return cells;
     }
 
-    /** Two images of one thing, drawn as they are. */
+    /** Makes a picture of a light and a dark image of the same thing, unchanged. */
     static Picture of(BufferedImage light, BufferedImage dark, String alt) {
         return new Picture(png(light), png(dark), light.getWidth() / PIXELS_PER_PX, light.getHeight() / PIXELS_PER_PX,
             alt);
@@ -203,7 +203,7 @@ final class Charts {
         return new Picture(images[Theme.LIGHT.ordinal()], images[Theme.DARK.ordinal()], width, height, alt);
     }
 
-    /** Draws in the page's px on an image that is finer. */
+    /** Returns graphics that draw in px of the page on an image of finer resolution. */
     private static Graphics2D graphics(BufferedImage image) {
         Graphics2D graphics = image.createGraphics();
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

@@ -19,15 +19,18 @@ import j2html.tags.DomContent;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** The chapter about what the text of the paper states. */
+/**
+ * The chapter about the statements in the text of the paper: a table of each statement, and the figures here that
+ * decide it for each method.
+ */
 final class ClaimsChapter {
     /**
-     * What the paper's text states, and the figure that decides it here.
+     * A statement of the paper's text, and the figure that decides it here.
      *
-     * @param statement the paper's
-     * @param figure in words, with its unit
-     * @param settings that it is about
-     * @param value the figure
+     * @param statement the paper's statement
+     * @param figure the figure in words, with its unit
+     * @param settings the settings that the statement is about
+     * @param value computes the figure
      */
     private record Claim(String statement, String figure, List<Setting> settings, ToDoubleFunction<Evaluation> value) {
     }

@@ -8,14 +8,14 @@ import io.github.sofas.flow.Sofas;
 import io.github.sofas.flow.SofasParameters;
 import java.util.function.Function;
 
-/** A method that takes part in every experiment. */
+/** A method that takes part in every experiment: a preset of SOFAS, or another method to compare SOFAS with. */
 public enum ComparedMethod {
-    /** SOFAS with the preset that is most accurate. */
+    /** SOFAS with the most accurate preset. */
     SOFAS_DEFAULT("sofas-default", "SOFAS, default", true,
         sensor -> new Sofas(sensor, SofasParameters.defaults())),
     /** SOFAS as published. */
     SOFAS_PAPER("sofas-paper", "SOFAS, paper", true, sensor -> new Sofas(sensor, SofasParameters.paper())),
-    /** Lucas-Kanade for events with Savitzky-Golay derivatives, the better of its variants. */
+    /** Lucas-Kanade for events with Savitzky-Golay derivatives, the better of the variants. */
     LUCAS_KANADE("lucas-kanade", "Lucas-Kanade", false, LucasKanade::new),
     /** Local plane fitting. */
     LOCAL_PLANES("local-planes", "Local planes", false, LocalPlanes::new);
@@ -32,22 +32,22 @@ public enum ComparedMethod {
         this.maker = maker;
     }
 
-    /** Its name in the CSV files. */
+    /** Name of the method in the CSV files. */
     public String id() {
         return id;
     }
 
-    /** Its name for people. */
+    /** Name of the method for people. */
     public String title() {
         return title;
     }
 
-    /** Whether it finds segments; the others give segment 1 to every event with flow. */
+    /** Whether the method finds segments; the others give segment 1 to every event with flow. */
     boolean segmenting() {
         return segmenting;
     }
 
-    /** Makes it with its own defaults. */
+    /** Makes the method with its own defaults. */
     EventLabeller make(SensorSize sensor) {
         return maker.apply(sensor);
     }

@@ -8,7 +8,10 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.List;
 
-/** A method and the processor time that its labelling took in the thread that uses it, whoever else is at work. */
+/**
+ * A method that measures the processor time of its labelling. The time is that of the calling thread, so that other
+ * work on the machine does not count.
+ */
 final class CpuTime implements Labelling {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
@@ -48,7 +51,7 @@ final class CpuTime implements Labelling {
         return method.segments();
     }
 
-    /** Processor time for each event, in ns; 0 where there was none. */
+    /** Processor time per event, in ns; 0 if there was no event. */
     double nsPerEvent() {
         return events == 0 ? 0 : (double) ns / events;
     }

@@ -1,10 +1,10 @@
 package io.github.sofas.experiments;
 
 /**
- * A quantity over time.
+ * A quantity over time, as a line of a plot.
  *
- * @param timeS time in s
- * @param values the quantity; not a number where there is none
+ * @param timeS times in s
+ * @param values the quantity at these times; NaN where there is no value
  */
 record Curve(double[] timeS, double[] values) {
 }

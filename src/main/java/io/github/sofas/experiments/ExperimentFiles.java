@@ -7,8 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * What the experiments write: one page for people, and every number as CSV. Numbers have a point; a value that does not
- * exist is empty; lines end in LF.
+ * The files that the experiments write: one page for people, and every number as CSV. Numbers have a decimal point, a
+ * value that does not exist is empty, and lines end in LF.
  */
 public enum ExperimentFiles {
     /** The page, which needs no other file and no network. */
@@ -17,7 +17,7 @@ public enum ExperimentFiles {
     METHOD("method.png"),
     /** Every figure of every method in every setting. */
     FIGURES("figures.csv"),
-    /** What the default preset should reach, and does. */
+    /** What the default preset should reach, and what it reaches. */
     GOALS("goals.csv"),
     /** Histograms of the errors. */
     HISTOGRAMS("histograms.csv"),
@@ -34,16 +34,16 @@ public enum ExperimentFiles {
         this.fileName = fileName;
     }
 
-    /** Name of the file in the folder of results. */
+    /** Name of the file in the results folder. */
     public String fileName() {
         return fileName;
     }
 
     /**
-     * Writes the file; leaves the stream open.
+     * Writes the file and leaves the stream open.
      *
-     * @param version of the program
-     * @throws IOException where it cannot be written
+     * @param version version of the program
+     * @throws IOException if the file cannot be written
      */
     public void write(Experiments experiments, String version, OutputStream out) throws IOException {
         String text;
@@ -154,7 +154,7 @@ public enum ExperimentFiles {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3f", value);
     }
 
-    /** As RFC 4180 has it. */
+    /** Quotes a text as RFC 4180 requires. */
     private static String quoted(String text) {
         return text.contains(",") || text.contains("\"") ? "\"" + text.replace("\"", "\"\"") + "\"" : text;
     }

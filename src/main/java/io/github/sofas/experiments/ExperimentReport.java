@@ -44,7 +44,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The page of the experiments: HTML that needs no other file, no network and no script. */
+/**
+ * The page of the experiments, chapter by chapter: HTML that needs no other file, no network and no script. The
+ * chapters on the paper's experiments set its statements beside the tables, plots and pictures of the results.
+ */
 final class ExperimentReport {
     private static final int SMALL_WIDTH = 300;
     private static final int SMALL_HEIGHT = 190;
@@ -165,7 +168,7 @@ final class ExperimentReport {
             join(each(Setting.BARS, this::strips)));
     }
 
-    /** What the default preset sees at four moments, and what the others see at the third. */
+    /** Pictures of the default preset at four moments, and of the other methods at the third. */
     private DomContent strips(Setting setting) {
         List<DomContent> ours = new ArrayList<>();
         Strip strip = experiments.trial(setting, ComparedMethod.SOFAS_DEFAULT).strip();

@@ -20,13 +20,13 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
- * What came of the paper's experiments: every method in every setting, metric maps, and recordings of real cameras
- * where there are any. {@link #run} runs all of them; {@link ExperimentFiles} writes them.
+ * The results of the paper's experiments: every method in every setting, metric maps, random scenes, and recordings of
+ * real cameras if there are any. {@link #run} runs all experiments, and {@link ExperimentFiles} writes the results.
  */
 public final class Experiments {
     private static final int FINE_MAP = 400;
     private static final int COARSE_MAP = 20;
-    /** What the maps look at: well inside the film, and long enough for some px of travel. */
+    /** Time span of the events of the metric maps: well inside the film, and long enough for some px of travel. */
     private static final long MAP_FROM_US = 500_000;
     private static final long MAP_UNTIL_US = 600_000;
 
@@ -49,10 +49,10 @@ public final class Experiments {
      * Runs everything.
      *
      * @param recordings folder of recordings of real cameras; null for none
-     * @param randomScenes how many random scenes, at least 1
-     * @param jobs how many scenes or methods run at a time, at least 1
-     * @param progress gets a line whenever a part is done, from several threads
-     * @throws InterruptedException where the thread is interrupted; nothing is left running
+     * @param randomScenes number of random scenes, at least 1
+     * @param jobs number of scenes or methods that run at a time, at least 1
+     * @param progress receives a line whenever a part is done, from several threads
+     * @throws InterruptedException if the thread is interrupted; nothing is left running
      */
     public static Experiments run(Path recordings, int randomScenes, int jobs, Consumer<String> progress)
             throws InterruptedException {
@@ -94,7 +94,7 @@ public final class Experiments {
         }
     }
 
-    /** How many parts there are to tell of. */
+    /** Number of parts that progress reports. */
     static int parts(Path recordings, int randomScenes) {
         int real = 0;
         for (RealExperiments each : RealExperiments.values()) {
@@ -112,7 +112,7 @@ public final class Experiments {
             throws InterruptedException {
         Map<Setting, Future<SimulatedRecording>> filming = new LinkedHashMap<>();
         for (Setting setting : Setting.ALL) {
-            // a film that is not cut is the one that ./sofas simulate makes, to the last event
+            // a film that is not cut equals that of ./sofas simulate, to the last event
             SimulationOptions options = setting.scene().durationUs(setting.options()) <= longestUs
                 ? setting.options() : setting.options().withDurationUs(longestUs);
             filming.put(setting, workers.submit(() -> SimulatedRecording.of(setting.scene(), options)));
@@ -124,7 +124,7 @@ public final class Experiments {
         return films;
     }
 
-    /** The films with the most events first, so that no long one is left to the end. */
+    /** Starts with the films with the most events, so that no long film is left to the end. */
     private static Map<Setting, Map<ComparedMethod, Future<Trial>>> start(Map<Setting, SimulatedRecording> films,
             ExecutorService workers, Consumer<String> progress) {
         List<Setting> longestFirst = new ArrayList<>(Setting.ALL);
@@ -174,7 +174,7 @@ public final class Experiments {
         }
     }
 
-    /** The result of a part that only a fault of the program can make fail. */
+    /** Waits for the result of a part that can fail only through a fault of the program. */
     private static <T> T result(Future<T> future) throws InterruptedException {
         try {
             return future.get();
@@ -183,27 +183,27 @@ public final class Experiments {
         }
     }
 
-    /** A line for each recording that could not be read to its end; nothing else is reported of it. */
+    /** One line for each recording that could not be read to its end; nothing else is reported about it. */
     public List<String> failures() {
         return List.copyOf(failures);
     }
 
-    /** How long all took, in s. */
+    /** Duration of the whole run, in s. */
     public double seconds() {
         return seconds;
     }
 
-    /** How many ran at a time. */
+    /** Number of scenes or methods that ran at a time. */
     int jobs() {
         return jobs;
     }
 
-    /** What a method did in a setting. */
+    /** The result of a method in a setting. */
     Trial trial(Setting setting, ComparedMethod method) {
         return trials.get(setting).get(method);
     }
 
-    /** What the default preset reached of its goals, by the setting's title or the recording's file name. */
+    /** The goals of the default preset and what it reached, by the setting's title or the recording's file name. */
     Map<String, List<Goal.Check>> checksByScene() {
         Map<String, List<Goal.Check>> byScene = new LinkedHashMap<>();
         trials.forEach((setting, byMethod) -> {
@@ -215,7 +215,7 @@ public final class Experiments {
         return byScene;
     }
 
-    /** What the default preset did in random and textured scenes. */
+    /** The results of the default preset in random and textured scenes. */
     RandomScenes randomScenes() {
         return randomScenes;
     }
@@ -235,12 +235,12 @@ public final class Experiments {
         return methodPicture;
     }
 
-    /** What came of the recordings of real cameras that were found. */
+    /** The results of the recordings of real cameras that were found. */
     List<RealExperiment> real() {
         return real;
     }
 
-    /** File names of those that were not; all where no folder was given. */
+    /** File names of the recordings that were not found; all of them if no folder was given. */
     List<String> missing() {
         return missing;
     }

@@ -6,16 +6,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * An extension of the default preset, beside the published method, that can be switched off. This is the only list of
- * them: every parameter that is a switch and on by default, by itself, and the numbers named here, whose least value
- * switches off what they are about.
+ * An extension of the default preset, beyond the published method, that can be switched off. This class holds the only
+ * list of the extensions. Every parameter that is a switch and on by default is an extension by itself. The numbers
+ * named here are extensions, too: their least value switches off what they control.
  *
- * @param name the parameter's, as {@code rotation}
+ * @param name the parameter's name, such as {@code rotation}
  */
 record Extension(String name) {
     private static final List<String> OFF_AT_LEAST = List.of("evidence", "maxLifetimePx", "memoryPx");
 
-    /** All, in the order in which parameters are declared. */
+    /** All extensions, in the order in which the parameters are declared. */
     static List<Extension> all() {
         SofasParameters defaults = SofasParameters.defaults();
         List<Extension> all = new ArrayList<>();
@@ -29,7 +29,7 @@ record Extension(String name) {
         return all;
     }
 
-    /** The same parameters with it switched off. */
+    /** The same parameters with the extension switched off. */
     SofasParameters off(SofasParameters parameters) {
         ParameterHandle handle = ParameterHandle.named(name);
         return handle.isSwitch() ? parameters.with(name, false) : parameters.with(name, handle.least(parameters));

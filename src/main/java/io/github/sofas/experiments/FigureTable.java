@@ -18,12 +18,12 @@ import j2html.tags.DomContent;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The table of figures of simulated scenes. */
+/** The table of the figures of every method in simulated scenes, for the page. */
 final class FigureTable {
     private FigureTable() {
     }
 
-    /** A row a setting and method. */
+    /** Makes a table with one row per setting and method. */
     static DomContent of(Experiments experiments, List<Setting> settings) {
         List<DomContent> rows = new ArrayList<>();
         for (Setting setting : settings) {

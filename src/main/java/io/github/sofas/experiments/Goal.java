@@ -7,23 +7,23 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
-/** What the default preset should reach in a setting. */
+/** A bound that the default preset should reach in a setting, by one or more figures of its evaluation. */
 interface Goal {
-    /** Travel and time, whichever is later, within which every object should be labelled. */
+    /** Travel, in px, within which every object should be labelled; or the time below, whichever is later. */
     double FIRST_LABELLED_PX = 8;
-    /** See {@link #FIRST_LABELLED_PX}; in ms. */
+    /** Time, in ms, within which every object should be labelled; see {@link #FIRST_LABELLED_PX}. */
     double FIRST_LABELLED_MS = 40;
 
-    /** Holds the default preset's figures, and where the goal is relative those of others, against the goal. */
+    /** Compares the default preset's figures with the goal; a relative goal also uses the figures of other methods. */
     Check check(Map<ComparedMethod, Evaluation> evaluations);
 
     /**
-     * A goal held against what was reached.
+     * The comparison of a goal with the figure that was reached.
      *
-     * @param figure what is measured
+     * @param figure name of the figure
      * @param goal the bound in words
      * @param reached the figure in words
-     * @param met whether it is within the bound
+     * @param met whether the figure is within the bound
      */
     record Check(String figure, String goal, String reached, boolean met) {
     }
@@ -48,7 +48,7 @@ interface Goal {
         return all -> atLeast(figure, bound, reached.applyAsDouble(all.get(ComparedMethod.SOFAS_DEFAULT)), unit);
     }
 
-    /** Bounds of the flow of one shape: magnitude in %, direction in degrees, mean and sd each, share in %. */
+    /** Bounds of the flow of one shape: magnitude in % and direction in degrees, mean and sd each; share in %. */
     static List<Goal> flow(double mean, double sd, double angle, double angleSd, double sharePercent) {
         return List.of(
             atMost("magnitude error, mean", mean, " %", e -> e.flow().magnitudeErrorPercent().mean()),
@@ -73,7 +73,7 @@ interface Goal {
         return atMost("AEE, of the peak speed", percent, " %", e -> e.flow().endpointErrorPercentOfPeak());
     }
 
-    /** A mean relative endpoint error no greater than another method's. */
+    /** A mean relative endpoint error that is no greater than another method's. */
     static Goal relativeEndpointBelow(ComparedMethod other) {
         ToDoubleFunction<Evaluation> figure = e -> e.flow().relativeEndpointErrorPercent().mean();
         return all -> atMost("relative AEE, " + other.title().toLowerCase(Locale.ROOT) + "'", figure.applyAsDouble(
@@ -85,12 +85,12 @@ interface Goal {
         return atLeast("IoU", bound, "", e -> e.segmentation().meanIou());
     }
 
-    /** Most parts an object. */
+    /** Greatest number of parts per object. */
     static Goal parts(double bound) {
         return atMost("parts an object", bound, "", e -> e.segmentation().partsPerObject());
     }
 
-    /** Every object is labelled in time. */
+    /** Requires every object to be labelled within {@link #FIRST_LABELLED_PX} or {@link #FIRST_LABELLED_MS}. */
     static Goal firstLabelled() {
         return all -> {
             boolean met = true;

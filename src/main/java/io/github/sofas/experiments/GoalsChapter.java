@@ -19,7 +19,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The chapter about the goals that were set for the default preset. */
+/** The chapter about the goals that were set for the default preset: first those that it misses, then all. */
 final class GoalsChapter {
     private GoalsChapter() {
     }

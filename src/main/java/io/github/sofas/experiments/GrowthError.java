@@ -6,14 +6,14 @@ import io.github.sofas.evaluate.GroundTruth;
 import io.github.sofas.simulate.SimulatedRecording;
 
 /**
- * How far the growth that a flow shows is from the true one. In each window of 50 ms that counts, a growth rate g is
- * fitted to the events with flow of an object, by least squares of v = a + b t + g r, with place r and time t; without
- * the term in t, a body that speeds up would seem to grow. What t does not explain of r being r', that is
+ * The error of the growth that a flow shows. In each window of 50 ms that counts, a growth rate g is fitted to the
+ * events with flow of an object, by least squares of v = a + b t + g r, with place r and time t. Without the term in t,
+ * a body that speeds up would seem to grow. With r' for the part of r that t does not explain, the growth rate is
  * <pre>
  *   g = sum of r' v / sum of r'²
  * </pre>
- * once with the estimated velocities and once with the true ones. Windows count where there are at least
- * {@value #FEWEST_EVENTS} events and the true rate is at least {@value #LEAST_RATE_PER_S} per s either way.
+ * It is computed once with the estimated velocities and once with the true ones. A window counts if it has at least
+ * {@value #FEWEST_EVENTS} events and the true rate is at least {@value #LEAST_RATE_PER_S} per s in either direction.
  */
 final class GrowthError {
     private static final int FEWEST_EVENTS = 50;

@@ -1,16 +1,17 @@
 package io.github.sofas.experiments;
 
 /**
- * How often errors of which size occur. Bins are equally wide from -limit to limit; what lies beyond is counted apart.
+ * The distribution of errors by their size. The bins are equally wide, from -limit to limit; errors beyond that range
+ * are counted separately.
  *
  * @param limit half the width of the range that the bins cover
- * @param counts numbers of each bin
- * @param below numbers under -limit
- * @param above numbers of limit and over
+ * @param counts number of errors in each bin
+ * @param below number of errors under -limit
+ * @param above number of errors of limit and over
  */
 record Histogram(double limit, long[] counts, long below, long above) {
 
-    /** Bounds of a bin, the upper exclusive. */
+    /** Lower bound of a bin, inclusive; the upper bound, one width above, is exclusive. */
     double from(int bin) {
         return -limit + bin * width();
     }
@@ -31,13 +32,13 @@ record Histogram(double limit, long[] counts, long below, long above) {
         return total;
     }
 
-    /** Share of all numbers that lie in a bin, in %; 0 where there are none. */
+    /** Share of all errors that lie in a bin, in %; 0 if there are no errors. */
     double percent(int bin) {
         long total = total();
         return total == 0 ? 0 : 100.0 * counts[bin] / total;
     }
 
-    /** Counts numbers one by one. */
+    /** Counts errors one by one. */
     static final class Gatherer {
         private final double limit;
         private final long[] counts;

@@ -17,7 +17,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntPredicate;
 
-/** A recording of a real camera, labelled by every method, in memory. Times are in s from its first event. */
+/**
+ * A recording of a real camera in memory, labelled by every method. Gives median velocities over spans of time. Times
+ * are in s from the first event.
+ */
 final class LabelledRecording {
     private static final int BATCH = 4096;
 
@@ -33,9 +36,9 @@ final class LabelledRecording {
     }
 
     /**
-     * Reads a recording once, and hands every batch to every method.
+     * Reads a recording once, and passes every batch to every method.
      *
-     * @param chip the sensor's name, null where the recording has it
+     * @param chip the sensor's name; null if the recording names it
      */
     static LabelledRecording of(Path file, String chip) throws EventSourceException {
         LabelledRecording recording = new LabelledRecording();
@@ -102,7 +105,7 @@ final class LabelledRecording {
         return estimates.get(method);
     }
 
-    /** What the camera's inertial measurement unit said. */
+    /** The samples of the camera's inertial measurement unit (IMU). */
     List<ImuSample> imuSamples() {
         return imuSamples;
     }
@@ -112,7 +115,7 @@ final class LabelledRecording {
         return (sample.timeUs() - firstUs) * 1e-6;
     }
 
-    /** Share of all events that a method gives flow. */
+    /** Share of all events to which a method gives flow. */
     double shareWithFlow(ComparedMethod method) {
         FlowEstimate estimate = by(method);
         int withFlow = 0;
@@ -122,7 +125,7 @@ final class LabelledRecording {
         return size == 0 ? 0 : (double) withFlow / size;
     }
 
-    /** The first event at or after a time. */
+    /** Index of the first event at or after a time. */
     int firstAt(double seconds) {
         int at = Arrays.binarySearch(timeS, 0, size, seconds);
         if (at < 0) {
@@ -134,12 +137,12 @@ final class LabelledRecording {
         return at;
     }
 
-    /** Median velocity to the right of those events with flow in a span of time that a condition picks, in px/s. */
+    /** Median velocity to the right, in px/s, of the events with flow in a span of time that a condition picks. */
     double medianVx(ComparedMethod method, double fromS, double untilS, IntPredicate picks) {
         return median(method, fromS, untilS, picks, true);
     }
 
-    /** The same downwards. */
+    /** Median velocity downwards of the same events, in px/s. */
     double medianVy(ComparedMethod method, double fromS, double untilS, IntPredicate picks) {
         return median(method, fromS, untilS, picks, false);
     }
@@ -155,7 +158,7 @@ final class LabelledRecording {
         return medians.median();
     }
 
-    /** Median velocity to the right over time. */
+    /** Median velocity to the right over time, in bins, of the events that a condition picks. */
     Curve medianVxCurve(ComparedMethod method, double binS, IntPredicate picks) {
         int bins = (int) Math.ceil(durationS() / binS);
         double[] middles = new double[bins];

@@ -2,7 +2,7 @@ package io.github.sofas.experiments;
 
 import java.util.Arrays;
 
-/** Numbers of which the median is wanted. */
+/** Collects numbers and computes their median. */
 final class Medians {
     private double[] values = new double[64];
     private int size;
@@ -18,7 +18,7 @@ final class Medians {
         return size;
     }
 
-    /** The middle number, or the mean of the two in the middle; not a number where there is none. */
+    /** The middle number, or the mean of the two in the middle; NaN if there are no numbers. */
     double median() {
         if (size == 0) {
             return Double.NaN;

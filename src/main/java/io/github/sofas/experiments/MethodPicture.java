@@ -21,21 +21,22 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The method in four pictures, as the paper's figures: events on a projection along the time axis, the metrics of the
- * flow plane's projections, the events on the projection whose metric is greatest, and the track planes that follow.
+ * Paints the method in four pictures, after the paper's figures: events on a projection along the time axis, the
+ * metrics of the flow plane's projections, the events on the projection with the greatest metric, and the track planes
+ * that follow.
  */
 final class MethodPicture {
     private static final int SCALE = 2;
     private static final int MARGIN = 16;
     private static final int TITLE = 44;
-    /** How long an event is shown beside the contours. */
+    /** Time for which an event is shown on the contours, in µs. */
     private static final long EXPOSURE_US = 8_000;
     private static final Color TEXT = new Color(0x1D2125);
     private static final Color SOFT = new Color(0x5B646D);
     private static final Color GROUND = new Color(0xF5F6F8);
     private static final int ON = 0xC25500;
     private static final int OFF = 0x0050C0;
-    /** Cells that hold so many events have the full colour. */
+    /** Sum of the polarities in a cell, either way, from which the cell has the full colour. */
     private static final int FULL_CELL = 4;
 
     private final SimulatedRecording recording;
@@ -62,7 +63,7 @@ final class MethodPicture {
     }
 
     /**
-     * Paints the method at work on the events of a time.
+     * Paints the method at work on the events of a span of time.
      *
      * @param map the metrics of the same events
      */
@@ -115,7 +116,7 @@ final class MethodPicture {
         return String.format(Locale.ROOT, "(%.0f, %.0f) px/s", vx, vy).replace("-0", "0");
     }
 
-    /** The sums of polarities on each cell of the sensor under a projection. */
+    /** The sum of the polarities in each cell of the sensor under a projection. */
     private int[] accumulator(double vx, double vy) {
         SensorSize sensor = recording.sensor();
         int[] cells = new int[sensor.width() * sensor.height()];
@@ -162,7 +163,7 @@ final class MethodPicture {
         graphics.fillRect(left + SCALE * x, top + SCALE * y, SCALE, SCALE);
     }
 
-    /** A share of a colour on the panels' ground. */
+    /** Mixes a share of a colour with the background of the panels. */
     private static Color mixed(int rgb, double share) {
         return new Color(
             (int) Math.round((rgb >> 16 & 0xFF) * share + GROUND.getRed() * (1 - share)),
@@ -201,7 +202,7 @@ final class MethodPicture {
         }
     }
 
-    /** Writes on a ground of its own, centred. */
+    /** Writes a centred text on a background of its own. */
     private void label(String text, int x, int y, Color ground) {
         Color ink = graphics.getColor();
         graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 13));
@@ -212,7 +213,7 @@ final class MethodPicture {
         graphics.drawString(text, x - textWidth / 2, y);
     }
 
-    /** The middle of a projection's cell on the map, from 0 to 1: the map's first and last cells are whole ones. */
+    /** The middle of a projection's cell on the map, from 0 to 1; the first and last cells of the map are whole. */
     private double cell(double pxPerS) {
         return (MetricMap.place(pxPerS) * (map.n() - 1) + 0.5) / map.n();
     }
@@ -254,7 +255,7 @@ final class MethodPicture {
         return Theme.LIGHT.segmentColour(place);
     }
 
-    /** The way of half a second, from the middle of the structure. */
+    /** Draws the travel of half a second as an arrow from the middle of the structure. */
     private void arrow(int left, int top, Segment segment, Color colour) {
         double x = left + SCALE * (segment.minX() + segment.maxX()) / 2.0;
         double y = top + SCALE * (segment.minY() + segment.maxY()) / 2.0;

@@ -8,14 +8,14 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The metric of a set of events under many projections, worked out by the paper's formulas word for word: an event of
- * sign s at (u, v, t) falls on the cell nearest to (u - vx t, v - vy t), f sums the signs of a cell, the metric is the
- * sum of f² (paper, section Structure Detection). Projections are evenly spaced in angle, velocity = 100 px/s x
- * tan(angle), over ±80 degrees.
+ * The metric of a set of events under many projections, computed by the paper's formulas word for word. An event of
+ * sign s at (u, v, t) falls on the cell nearest to (u - vx t, v - vy t), f sums the signs of a cell, and the metric is
+ * the sum of f² (paper, section Structure Detection). Projections are evenly spaced in angle over ±80 degrees, with
+ * velocity = 100 px/s x tan(angle).
  *
- * @param n projections along each axis
- * @param events how many events were projected
- * @param metrics by row of vy and column of vx, from the lowest velocity to the greatest
+ * @param n number of projections along each axis
+ * @param events number of projected events
+ * @param metrics the metrics, by row of vy and column of vx, from the lowest velocity to the greatest
  */
 record MetricMap(int n, int events, long[][] metrics) {
     /** Speed of a projection at 45 degrees, in px/s. */
@@ -23,11 +23,11 @@ record MetricMap(int n, int events, long[][] metrics) {
     /** Greatest angle of a projection, in degrees. */
     static final double GREATEST_ANGLE_DEG = 80;
 
-    /** A projection whose metric no neighbour's exceeds. */
+    /** A projection whose metric is not exceeded by that of any neighbour. */
     record Maximum(double vxPxPerS, double vyPxPerS, long metric) {
     }
 
-    /** The map of a recording's events of a time. */
+    /** Computes the map of the events in a span of time of a recording. */
     static MetricMap of(SimulatedRecording recording, long fromUs, long untilUs, int n) {
         int[] picked = IntStream.range(0, recording.size())
             .filter(i -> recording.timeUs[i] >= fromUs && recording.timeUs[i] < untilUs).toArray();
@@ -73,12 +73,12 @@ record MetricMap(int n, int events, long[][] metrics) {
         return VELOCITY_SCALE_PX_PER_S * Math.tan(Math.toRadians(angleDeg));
     }
 
-    /** Place of a velocity between the first and the last projection, from 0 to 1. */
+    /** Position of a velocity between the first and the last projection, from 0 to 1. */
     static double place(double pxPerS) {
         return (Math.toDegrees(Math.atan(pxPerS / VELOCITY_SCALE_PX_PER_S)) / GREATEST_ANGLE_DEG + 1) / 2;
     }
 
-    /** The greatest local maxima, greatest first: projections that beat all within so many steps around. */
+    /** The greatest local maxima, greatest first: projections that beat all others within a number of steps. */
     List<Maximum> maxima(int steps, int most) {
         List<Maximum> found = new ArrayList<>();
         for (int row = 0; row < n; row++) {
@@ -95,7 +95,7 @@ record MetricMap(int n, int events, long[][] metrics) {
     private boolean beatsAllAround(int row, int column, int steps) {
         for (int r = Math.max(0, row - steps); r <= Math.min(n - 1, row + steps); r++) {
             for (int c = Math.max(0, column - steps); c <= Math.min(n - 1, column + steps); c++) {
-                // of equal ones the first
+                // among equal metrics, the first wins
                 boolean before = r < row || r == row && c < column;
                 if (metrics[r][c] > metrics[row][column] || before && metrics[r][c] == metrics[row][column]) {
                     return false;

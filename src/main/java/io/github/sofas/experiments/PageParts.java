@@ -23,9 +23,9 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 
-/** What the chapters of the page are made of. */
+/** The building blocks of the chapters of the page: tables, plots, pictures, captions and the format of numbers. */
 final class PageParts {
-    /** In place of a figure that there are no events for. */
+    /** Stands for a figure without events. */
     static final String NONE = "–";
 
     private static final int WIDE_WIDTH = 540;
@@ -34,7 +34,7 @@ final class PageParts {
     private PageParts() {
     }
 
-    /** What the paper says of an experiment. */
+    /** The paper's statement about an experiment. */
     static DomContent paper(String text) {
         return p(span("The paper: "), text(text)).withClass("paper");
     }
@@ -45,7 +45,7 @@ final class PageParts {
             .withClass("grid wide");
     }
 
-    /** A picture that follows whether the page is dark or light. */
+    /** A picture that adapts to a dark or light page. */
     static DomContent picture(Picture picture) {
         return TagCreator.picture(
             source().attr("media", "(prefers-color-scheme: dark)").attr("srcset", data(picture.dark())),
@@ -57,20 +57,20 @@ final class PageParts {
         return "data:image/png;base64," + Base64.getEncoder().encodeToString(png);
     }
 
-    /** One panel of a moment with what it shows below. */
+    /** One panel of a moment, with a caption below that names what it shows. */
     static DomContent captioned(Strip.Moment moment, Panel panel, String before) {
         return figure(picture(moment.pictures().get(panel)),
             figcaption(format("%s%s, %.2f s", before, panel, moment.timeUs() * 1e-6)));
     }
 
-    /** A table of texts, the first column of names. */
+    /** A table of texts, with names in the first column. */
     static DomContent plainTable(List<String> header, List<List<String>> rows) {
         return div(table(thead(tr(each(header, cell -> th(cell)))),
             tbody(each(rows, row -> tr(td(row.get(0)).withClass("name"),
                 each(row.subList(1, row.size()), cell -> td(cell))))))).withClass("scroll");
     }
 
-    /** Formats; what rounds to zero has no sign, and % stays with its number. */
+    /** Formats values. A number that rounds to zero has no sign, and % stays on the line of its number. */
     static String format(String pattern, Object... values) {
         return String.format(Locale.ROOT, pattern, values).replaceAll("-(0(\\.0+)?)(?![.\\d])", "$1")
             .replace(" %", "\u00A0%");

@@ -3,23 +3,23 @@ package io.github.sofas.experiments;
 import java.util.List;
 
 /**
- * Lines over one axis, as numbers: drawn in the report and written to CSV.
+ * A plot as numbers: lines over one axis, which are drawn in the report and written to CSV.
  *
- * @param id its name in CSV
- * @param title its name for people
- * @param xTitle what the horizontal axis is, with its unit
- * @param yTitle what the vertical axis is, with its unit
- * @param lines what is drawn, the last on top
+ * @param id name of the plot in CSV
+ * @param title name of the plot for people
+ * @param xTitle quantity of the horizontal axis, with its unit
+ * @param yTitle quantity of the vertical axis, with its unit
+ * @param lines the lines, the last on top
  */
 record Plot(String id, String title, String xTitle, String yTitle, List<Line> lines) {
 
-    /** What a line stands for, which decides its colour. */
+    /** The meaning of a line, which determines its colour. */
     enum Ink {
-        /** What is true. */
+        /** The true values. */
         TRUTH,
         /** A method, by its own name. */
         SOFAS_DEFAULT, SOFAS_PAPER, LUCAS_KANADE, LOCAL_PLANES,
-        /** One of several of a kind: coloured by its place among the plot's lines. */
+        /** One of several lines of a kind, coloured by its place among the plot's lines. */
         BY_PLACE;
 
         static Ink of(ComparedMethod method) {
@@ -30,10 +30,10 @@ record Plot(String id, String title, String xTitle, String yTitle, List<Line> li
     /**
      * One line.
      *
-     * @param name its name in the legend
-     * @param ink its colour
-     * @param x positions, rising
-     * @param y values; not a number where there is none, which leaves a gap
+     * @param name name of the line in the legend
+     * @param ink meaning of the line, which determines its colour
+     * @param x positions, increasing
+     * @param y values; NaN where there is no value, which leaves a gap
      */
     record Line(String name, Ink ink, double[] x, double[] y) {
         Line(String name, Ink ink, Curve curve) {

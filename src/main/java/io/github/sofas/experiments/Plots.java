@@ -5,15 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** The curves of the simulated experiments. */
+/** Makes the plots of the simulated experiments: the pendulum's speed, and the convergence on each shape. */
 final class Plots {
-    /** Fewest events with flow of a bin of the convergence that is drawn. */
+    /** Least number of events with flow in a bin of the convergence for which its error is drawn. */
     private static final int FEWEST_EVENTS = 5;
 
     private Plots() {
     }
 
-    /** All curves, for CSV. */
+    /** All curves of the page, for CSV. */
     static List<Plot> all(Experiments experiments) {
         List<Plot> plots = new ArrayList<>(pendulum(experiments));
         for (Setting setting : Setting.SHAPES) {
@@ -24,7 +24,7 @@ final class Plots {
         return plots;
     }
 
-    /** The pendulum's speed, a plot a method. */
+    /** The pendulum's speed, one plot per method. */
     static List<Plot> pendulum(Experiments experiments) {
         List<Plot> plots = new ArrayList<>();
         for (ComparedMethod method : ComparedMethod.values()) {
@@ -43,7 +43,7 @@ final class Plots {
                 : bin.meanRelativeEndpointErrorPercent());
     }
 
-    /** Share of the object's events that have flow over the same time. */
+    /** Share of the object's events with flow over the same time. */
     static Plot convergenceOfShare(Experiments experiments, Setting setting) {
         return convergence(experiments, setting, "convergence-share-" + setting.id(), setting.title(),
             "object events with flow, %", bin -> bin.events() == 0 ? Double.NaN : 100 * bin.shareWithFlow());

@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 
-/** The chapter about random and textured scenes. */
+/** The chapter about random and textured scenes: two tables of figures, and pictures of the worst random scenes. */
 final class RandomChapter {
     private static final List<Panel> PANELS = List.of(Panel.FLOW, Panel.SEGMENTS);
 

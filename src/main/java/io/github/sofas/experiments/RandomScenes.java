@@ -14,11 +14,11 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The default preset in many random scenes, and in those with textures, growth and flicker; with pictures of the worst
- * random ones.
+ * The results of the default preset in many random scenes, and in the scenes with texture, growth and flicker, with
+ * pictures of the worst random scenes.
  *
- * @param random figures of the random scenes, by rising seed
- * @param textured figures of the others
+ * @param random figures of the random scenes, by increasing seed
+ * @param textured figures of the other scenes
  * @param worst the random scenes with the smallest intersection over union, the worst first
  */
 record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List<Pictured> worst) {
@@ -28,19 +28,19 @@ record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List
     /**
      * A scene with pictures.
      *
-     * @param figures what came of it
-     * @param strip what was seen at four moments
+     * @param figures its figures
+     * @param strip its pictures at four moments
      */
     record Pictured(SceneFigures figures, Strip strip) {
     }
 
     /**
-     * Runs all.
+     * Runs all scenes.
      *
-     * @param count how many random scenes, of the seeds from 1 on
-     * @param jobs how many run at a time
-     * @param longestUs where films are cut off
-     * @param progress gets a line whenever a scene is done
+     * @param count number of random scenes, with seeds from 1 on
+     * @param jobs number of scenes that run at a time
+     * @param longestUs time at which films are cut off, in µs
+     * @param progress receives a line whenever a scene is done
      */
     static RandomScenes run(int count, int jobs, long longestUs, Consumer<String> progress)
             throws InterruptedException {
@@ -68,7 +68,7 @@ record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List
         return new RandomScenes(ofRandom, ofTextured, all(worst, jobs, pictured -> { }));
     }
 
-    /** How many scenes there are to tell of. */
+    /** Number of scenes that progress reports. */
     static int parts(int count) {
         return count + TableScene.textured().size();
     }
@@ -97,7 +97,7 @@ record RandomScenes(List<SceneFigures> random, List<SceneFigures> textured, List
         return all;
     }
 
-    /** A line a scene: its name, objects, events and figures. */
+    /** CSV with one line per scene: its name, objects, events and figures. */
     String csv() {
         StringBuilder csv = new StringBuilder("scene,objects,events");
         for (SceneFigures.Column column : SceneFigures.Column.ofResults()) {

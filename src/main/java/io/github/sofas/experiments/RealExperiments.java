@@ -17,8 +17,9 @@ import java.util.function.Function;
 import java.util.function.IntPredicate;
 
 /**
- * The recordings of real cameras that something is known of. Velocities are in px/s, y down; what is known of them was
- * measured in the recordings by hand, or by the camera's gyro.
+ * The recordings with an experiment each: of real cameras, and of a square that a program drew, whose velocity is
+ * exact. Velocities are in px/s, y down. Known velocities of real cameras were measured in the recordings by hand, or
+ * by the camera's gyro.
  */
 enum RealExperiments {
     /** A pan whose velocity is known from the camera's gyro. */
@@ -36,13 +37,14 @@ enum RealExperiments {
     private static final String TIME = "time, s";
     private static final String VX = "median velocity to the right, px/s";
 
-    // boxes-translation: range of 1000 deg/s; lens of 4.5 mm on pixels of 18.5 um; the offset that makes the gyro's
-    // samples the velocities that are known of the recording, 27.7, 25.1, 28.8 and 28.0 px/s at the four times
+    // boxes-translation: the gyro's range is 1000 deg/s, and the lens has 4.5 mm on pixels of 18.5 um. The offset is
+    // that with which the gyro's samples give the known velocities of the recording, 27.7, 25.1, 28.8 and 28.0 px/s at
+    // the four times.
     private static final double GYRO_LSB_PER_DEG_PER_S = 32.8;
     private static final double PX_PER_DEG = 4.245;
     private static final double GYRO_OFFSET_DEG_PER_S = -1.13;
-    // what pairs of events say that lie 0.08 to 0.2 s apart, of one polarity: their most frequent displacement in 19
-    // windows of 0.25 s, as a line over the gyro's velocity, from which they differ by 0.2 px/s
+    // Velocity by pairs of events of one polarity that lie 0.08 to 0.2 s apart: their most frequent displacement in 19
+    // windows of 0.25 s, as a line over the gyro's velocity. The displacements differ from the line by 0.2 px/s.
     private static final double PAIRS_PER_GYRO = 1.098;
     private static final double PAIRS_OFFSET_PX_PER_S = -1.17;
     private static final double[] BOXES_TIMES_S = {0.3, 0.8, 1.3, 1.8};
@@ -66,21 +68,21 @@ enum RealExperiments {
     private final String chip;
     private final Function<LabelledRecording, RealExperiment> experiment;
 
-    /** Makes one of a file; the chip is null where the recording names it. */
+    /** Makes the experiment of a file; the chip is null if the recording names it. */
     RealExperiments(String fileName, String chip, Function<LabelledRecording, RealExperiment> experiment) {
         this.fileName = fileName;
         this.chip = chip;
         this.experiment = experiment;
     }
 
-    /** A car at a time, and its velocity. */
+    /** A car at one time, and its known velocity. */
     private record Sighting(String car, double timeS, double vx, double vy) {
         String title() {
             return String.format(Locale.ROOT, "%s at %.2f s: (%.0f, %.0f)", car, timeS, vx, vy);
         }
     }
 
-    /** A segment over a window. */
+    /** The velocity of a segment over a window. */
     private record SegmentMotion(int id, double vx, double vy) {
         double offPercent(Sighting sighting) {
             return 100 * Math.hypot(vx - sighting.vx, vy - sighting.vy) / Math.hypot(sighting.vx, sighting.vy);

@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Public recordings of real cameras without a truth of every event, by file name, with the sensor of those that do not
- * name it.
+ * Public recordings of real cameras without a truth for every event. The recordings are known by file name, with the
+ * sensor of those that do not name it.
  */
 final class RealRecordings {
     private static final String DAVIS240 = "240x180";
@@ -35,7 +35,7 @@ final class RealRecordings {
         return known;
     }
 
-    /** The known ones in a folder with their sensors; of a folder that has none, all files without a sensor. */
+    /** The known recordings in a folder with their sensors; if the folder has none, all its files without a sensor. */
     static Map<Path, String> in(Path folder) throws IOException {
         Map<Path, String> found = new LinkedHashMap<>();
         KNOWN.forEach((name, chip) -> {

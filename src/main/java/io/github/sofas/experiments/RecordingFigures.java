@@ -18,12 +18,12 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * What a method did on a recording of a real camera, which has no truth.
+ * The figures of a method on a recording of a real camera, which has no truth.
  *
- * @param name file name
- * @param sharpness how sharp the flow makes its picture
- * @param segments how many segments hold at least a hundredth of the events with flow
- * @param nsPerEvent processor time of the method for each event
+ * @param name file name of the recording
+ * @param sharpness how sharp the flow makes the picture of the recording
+ * @param segments number of segments that hold at least a hundredth of the events with flow
+ * @param nsPerEvent processor time of the method per event, in ns
  */
 record RecordingFigures(String name, Sharpness sharpness, long segments, double nsPerEvent) {
     private static final int BATCH = 4096;
@@ -32,8 +32,8 @@ record RecordingFigures(String name, Sharpness sharpness, long segments, double 
     /**
      * Reads, labels and measures a recording.
      *
-     * @param chip the sensor's name, null where the recording has it
-     * @throws EventSourceException where it cannot be read to its end
+     * @param chip the sensor's name; null if the recording names it
+     * @throws EventSourceException if the recording cannot be read to its end
      */
     static RecordingFigures of(Path file, String chip, Function<SensorSize, Labelling> maker,
                                KnownTranslations known) throws EventSourceException {
@@ -60,19 +60,19 @@ record RecordingFigures(String name, Sharpness sharpness, long segments, double 
         }
     }
 
-    /** Median gain over those that have one; 0 where none has. */
+    /** Median gain over the recordings that have one; 0 if none has. */
     static double medianGain(List<RecordingFigures> recordings) {
         double[] gains = gains(recordings);
         return gains.length == 0 ? 0 : (gains[(gains.length - 1) / 2] + gains[gains.length / 2]) / 2;
     }
 
-    /** Smallest gain of those that have one; 0 where none has. */
+    /** Smallest gain of the recordings that have one; 0 if none has. */
     static double worstGain(List<RecordingFigures> recordings) {
         double[] gains = gains(recordings);
         return gains.length == 0 ? 0 : gains[0];
     }
 
-    /** How many pictures the flow makes less sharp. */
+    /** Number of recordings whose picture the flow makes less sharp. */
     static long blurred(List<RecordingFigures> recordings) {
         return recordings.stream().filter(each -> each.sharpness.sharpness() < 1).count();
     }

@@ -17,33 +17,33 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
 /**
- * What a method did in one scene, in the figures by which scenes are compared.
+ * The results of a method in one scene, with the figures by which scenes are compared.
  *
- * @param name of the scene
- * @param objects how many it has
- * @param evaluation all figures
+ * @param name name of the scene
+ * @param objects number of objects in the scene
+ * @param evaluation all figures of the evaluation
  * @param growthErrorPercent see {@link GrowthError}; NaN where nothing grows
- * @param nsPerEvent processor time of the method for each event
+ * @param nsPerEvent processor time of the method per event, in ns
  */
 record SceneFigures(String name, int objects, Evaluation evaluation, double growthErrorPercent, double nsPerEvent) {
     /** A figure by which scenes are compared. */
     enum Column {
         /** Mean intersection over union. */
         IOU("IoU", 3, true, scene -> scene.evaluation.segmentation().meanIou()),
-        /** Parts an object. */
+        /** Parts per object. */
         PARTS("parts", 2, false, scene -> scene.evaluation.segmentation().partsPerObject()),
-        /** Mean relative endpoint error in %; 100 where no event has flow. */
+        /** Mean relative endpoint error in %; 100 if no event has flow. */
         ERROR("rEE,%", 1, false, scene -> scene.evaluation.flow().eventsWithFlow() == 0 ? 100
             : scene.evaluation.flow().relativeEndpointErrorPercent().mean()),
-        /** Share of the object events with flow in %. */
+        /** Share of the object events that have flow, in %. */
         COVERAGE("flow,%", 1, true, scene -> 100 * scene.evaluation.flow().shareWithFlow()),
-        /** Share of them that are faster than anything true in %. */
+        /** Share of the events with flow that are more than twice as fast as any true motion, in %. */
         RUNAWAYS("fast,%", 2, false, scene -> 100 * scene.evaluation.flow().runawayShare()),
-        /** Share of the noise events with flow in %. */
+        /** Share of the noise events that have flow, in %. */
         NOISE("noise,%", 1, false, scene -> 100 * scene.evaluation.noiseShareWithFlow()),
         /** Error of the growth rate in %. */
         GROWTH("growth,%", 1, false, scene -> scene.growthErrorPercent),
-        /** Processor time of the method for each event. */
+        /** Processor time of the method per event, in ns. */
         TIME("ns/event", 0, false, scene -> scene.nsPerEvent);
 
         private final String title;
@@ -58,7 +58,7 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double grow
             this.value = value;
         }
 
-        /** All but the time, which differs from run to run. */
+        /** All columns but the time, which differs from run to run. */
         static List<Column> ofResults() {
             return Arrays.stream(values()).filter(column -> column != TIME).toList();
         }
@@ -71,7 +71,7 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double grow
             return value.applyAsDouble(scene);
         }
 
-        /** As tables have it; a dash where there is none. */
+        /** Text of a figure in tables; a dash if there is no figure. */
         String text(double figure) {
             return Double.isNaN(figure) ? "-" : String.format(Locale.ROOT, "%." + decimals + "f", figure);
         }
@@ -81,7 +81,7 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double grow
             return scenes.stream().filter(scene -> scene.has(this)).mapToDouble(this::of).average().orElse(Double.NaN);
         }
 
-        /** What a tenth of the scenes is no better than. */
+        /** The figure of the best scene of the worst tenth: a tenth of the scenes is no better. */
         double worstTenth(List<SceneFigures> scenes) {
             double[] sorted = worstFirst(scenes);
             return sorted.length == 0 ? Double.NaN : sorted[Math.max(0, (int) Math.ceil(0.1 * sorted.length) - 1)];
@@ -100,7 +100,7 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double grow
         }
     }
 
-    /** Films a scene and lets a method label it. */
+    /** Films a scene, labels the film by a method and evaluates the labels. */
     static SceneFigures of(String name, Scene scene, SimulationOptions options,
                            Function<SensorSize, Labelling> maker) {
         return of(name, SimulatedRecording.of(scene, options), maker);
@@ -114,12 +114,12 @@ record SceneFigures(String name, int objects, Evaluation evaluation, double grow
             method.nsPerEvent());
     }
 
-    /** Those with the smallest intersection over union first. */
+    /** The scenes with the smallest intersection over union first. */
     static List<SceneFigures> worstFirst(List<SceneFigures> scenes) {
         return scenes.stream().sorted(Comparator.comparingDouble(Column.IOU::of)).toList();
     }
 
-    /** Whether the figure means something: a scene of nothing but noise has no object, and most have no growth. */
+    /** Whether the figure is meaningful: a scene of noise alone has no object, and most scenes have no growth. */
     boolean has(Column column) {
         if (column == Column.GROWTH) {
             return !Double.isNaN(growthErrorPercent);

@@ -6,13 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One scene of the experiments, filmed by a simulated DAVIS240C with 0.1 Hz of noise a pixel unless said otherwise.
+ * A setting of the experiments: a scene, the options with which it is filmed, and goals. The scene is filmed by a
+ * simulated DAVIS240C with 0.1 Hz of noise per pixel unless stated otherwise.
  *
- * @param id its name in the CSV files, and of its anchor in the report
- * @param title its name for people
- * @param scene what is filmed
- * @param options how
- * @param goals what the default preset should reach in it
+ * @param id name of the setting in the CSV files, and of its anchor in the report
+ * @param title name of the setting for people
+ * @param scene the scene
+ * @param options how the scene is filmed
+ * @param goals what the default preset should reach in the setting
  */
 record Setting(String id, String title, Scene scene, SimulationOptions options, List<Goal> goals) {
     private static final SimulationOptions PLAIN = SimulationOptions.defaults();
@@ -56,13 +57,13 @@ record Setting(String id, String title, Scene scene, SimulationOptions options, 
     static final List<Setting> VELOCITIES = List.of(HEXAGON_SLOW, HEXAGON, HEXAGON_FAST);
     /** The paper's rotating bars. */
     static final List<Setting> BARS = List.of(SHORT_BAR, LONG_BAR);
-    /** Scenes of several objects; the first three are the kinds that the paper's last figure shows. */
+    /** Scenes of several objects; the first three are of the kinds that the paper's last figure shows. */
     static final List<Setting> SEVERAL = List.of(THREE_WANDERING, FOUR_BARS, PASSING_BEHIND, TWO_OPPOSITE,
         THREE_CROSSING);
-    /** Those that pictures are made of. */
+    /** The settings of which pictures are made. */
     static final List<Setting> PICTURED = List.of(SHORT_BAR, LONG_BAR, THREE_WANDERING, FOUR_BARS, PASSING_BEHIND,
         THREE_CROSSING);
-    /** All, in the order of the report. */
+    /** All settings, in the order of the report. */
     static final List<Setting> ALL = List.of(RECTANGLES, HEXAGON, LARGE_CIRCLE, SMALL_CIRCLE, HEXAGON_35_DEG,
         HEXAGON_SLOW, HEXAGON_FAST, HEXAGON_NOISY, PENDULUM, SHORT_BAR, LONG_BAR, THREE_WANDERING, FOUR_BARS,
         PASSING_BEHIND, TWO_OPPOSITE, THREE_CROSSING);

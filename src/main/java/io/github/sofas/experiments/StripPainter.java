@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** Pictures a method at moments of a film. */
+/** Paints the pictures of a {@link Strip}: labels a film by a method, and paints the labels at four moments. */
 final class StripPainter {
     private static final long EXPOSURE_US = 30_000;
     private static final int SCALE = 2;
@@ -39,7 +39,7 @@ final class StripPainter {
         }
     }
 
-    /** The least of 1, 2, 5, 10 and so on px/s that nine tenths of the object events are not faster than. */
+    /** The least of 1, 2, 5, 10 and so on px/s that nine tenths of the object events do not exceed. */
     private static double fullPxPerS(SimulatedRecording recording) {
         double[] speeds = IntStream.range(0, recording.size())
             .filter(i -> recording.object[i] != GroundTruth.NOISE)
@@ -52,15 +52,15 @@ final class StripPainter {
         return step;
     }
 
-    /** Lets a method label a film as far as its last moment, and pictures the moments. */
+    /** Labels a film by a method up to the last moment, and paints the moments. */
     static Strip strip(SimulatedRecording recording, EventLabeller method) {
         return strip(recording, method, new FlowEstimate());
     }
 
     /**
-     * The same, where the labels are wanted, too.
+     * Paints a strip in the same way, and keeps the labels, too.
      *
-     * @param estimate gets the labels of all events before the last moment
+     * @param estimate receives the labels of all events before the last moment
      */
     static Strip strip(SimulatedRecording recording, EventLabeller method, FlowEstimate estimate) {
         StripPainter painter = new StripPainter(recording);
@@ -75,15 +75,15 @@ final class StripPainter {
         return painter.strip();
     }
 
-    /** When the moments of a film are: at 0.2, 0.4, 0.6 and 0.8 of its time. */
+    /** The times of the moments of a film: at 0.2, 0.4, 0.6 and 0.8 of its duration. */
     private static List<Long> timesUs(long durationUs) {
         return List.of(durationUs / 5, 2 * durationUs / 5, 3 * durationUs / 5, 4 * durationUs / 5);
     }
 
     /**
-     * Takes pictures of a method that has just labelled all events up to a time.
+     * Paints the pictures of a method that has just labelled all events up to a time.
      *
-     * @param estimate what it said of them
+     * @param estimate the labels of these events
      */
     private void take(long timeUs, FlowEstimate estimate, EventLabeller method) {
         int until = estimate.size();
@@ -116,7 +116,7 @@ final class StripPainter {
         withLegends = Charts.of(painted.get(Theme.LIGHT), painted.get(Theme.DARK), "flow, segments and contours");
     }
 
-    /** What was pictured. */
+    /** The pictures painted so far. */
     private Strip strip() {
         return new Strip(fullPxPerS, List.copyOf(moments), withLegends);
     }

@@ -8,17 +8,18 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A scene that is not random, of the tables for development: textured scenes at several speeds, then those of the
- * experiments, then what the experiments leave out.
+ * A scene of the tables for development. The tables list textured scenes, then the scenes of the experiments, then
+ * scenes that the experiments leave out; one textured scene is listed at several speeds. {@link RandomScenes} makes
+ * random ones.
  *
- * @param name in the table
- * @param scene what is filmed
- * @param options how
+ * @param name name of the scene in the table
+ * @param scene the scene
+ * @param options how the scene is filmed
  */
 record TableScene(String name, Scene scene, SimulationOptions options) {
     private static final SimulationOptions PLAIN = SimulationOptions.defaults();
 
-    /** Scenes with texture, growth and flicker, some of them of softer surfaces, too. */
+    /** Scenes with texture, growth and flicker; some of them also with softer surfaces. */
     static List<TableScene> textured() {
         List<TableScene> textured = new ArrayList<>();
         for (double speed : new double[] {60, 240, 1200}) {

@@ -24,9 +24,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * One method in many scenes and recordings, as tables of text: a line each, as soon as it and those before are done,
- * then lines of means. Columns are separated by spaces, so that a script can read them. Everything but the times is the
- * same however many run at a time.
+ * Prints the figures of one method in many scenes and recordings, as tables of text. A table has one line per scene or
+ * recording, printed as soon as that one and all before it are done, and then lines of means. Columns are separated by
+ * spaces, so that a script can read them. Everything but the times is independent of the number of jobs.
  */
 public final class Tables {
     private static final int NAME_WIDTH = 28;
@@ -38,11 +38,11 @@ public final class Tables {
     private final PrintWriter out;
 
     /**
-     * Makes them.
+     * Prepares the tables.
      *
      * @param method makes the method for a sensor
-     * @param jobs how many scenes or recordings are labelled at a time, at least 1
-     * @param out where lines go
+     * @param jobs number of scenes or recordings that are labelled at a time, at least 1
+     * @param out receives the lines
      */
     public Tables(Function<SensorSize, Labelling> method, int jobs, PrintWriter out) {
         this.method = method;
@@ -50,7 +50,7 @@ public final class Tables {
         this.out = out;
     }
 
-    /** Random scenes of consecutive seeds: each, then the mean, what a tenth is no better than, and the worst. */
+    /** Prints random scenes of consecutive seeds, then the mean, the best of the worst tenth, and the worst. */
     public void random(long fromSeed, int count) throws InterruptedException {
         Map<String, Callable<SceneFigures>> parts = new LinkedHashMap<>();
         for (long seed = fromSeed; seed < fromSeed + count; seed++) {
@@ -61,7 +61,7 @@ public final class Tables {
         scenes(parts);
     }
 
-    /** Every scene whose figures are known to differ from method to method. */
+    /** Prints every scene whose figures are known to differ from method to method. */
     public void scenes() throws InterruptedException {
         Map<String, Callable<SceneFigures>> parts = new LinkedHashMap<>();
         for (TableScene scene : TableScene.all()) {
@@ -108,12 +108,12 @@ public final class Tables {
     }
 
     /**
-     * Recordings of real cameras: sharpness, that of the best single translation, gain.
+     * Prints recordings of real cameras: the sharpness, that of the best single translation, and the gain.
      *
-     * @param folder of the recordings
-     * @param known best single translations; those that are missing are found and added
-     * @return a line for each recording that could not be read to its end; it is not in the table
-     * @throws IOException where the folder cannot be listed
+     * @param folder the folder of the recordings
+     * @param known best single translations; missing ones are found and added
+     * @return one line for each recording that could not be read to its end; such a recording is not in the table
+     * @throws IOException if the folder cannot be listed
      */
     public List<String> recordings(Path folder, KnownTranslations known) throws IOException, InterruptedException {
         Map<String, Callable<RecordingFigures>> parts = new LinkedHashMap<>();
@@ -145,7 +145,7 @@ public final class Tables {
         return failures;
     }
 
-    /** Does parts side by side, and hands on results, or causes of failure, in order. */
+    /** Runs parts in parallel, and passes on their results, or the causes of their failure, in order. */
     static <T> void inOrder(Map<String, Callable<T>> parts, int jobs, Consumer<T> done,
                             Consumer<Throwable> failed) throws InterruptedException {
         ExecutorService workers = Executors.newFixedThreadPool(jobs);
@@ -158,7 +158,7 @@ public final class Tables {
                 } catch (ExecutionException e) {
                     failed.accept(e.getCause());
                 }
-                // A film's figures are not needed any more, and there are many.
+                // The figures of a film are no longer needed, and there are many of them.
                 futures.set(i, null);
             }
         } finally {

@@ -9,20 +9,20 @@ import io.github.sofas.flow.EventLabeller;
 import io.github.sofas.simulate.SimulatedRecording;
 
 /**
- * One method in one setting.
+ * The results of one method in one setting.
  *
  * @param setting what was filmed
- * @param method who labelled it
- * @param evaluation all figures
+ * @param method the method that labelled the film
+ * @param evaluation all figures of the evaluation
  * @param magnitudeError errors of the speed in %, over object events with flow that count
  * @param directionError errors of the direction in degrees, over the same
  * @param speed median estimated speed over time in px/s
  * @param trueSpeed median true speed of the object events over the same time in px/s
- * @param strip pictures; null unless the setting is pictured
+ * @param strip pictures; null unless pictures are made of the setting
  */
 record Trial(Setting setting, ComparedMethod method, Evaluation evaluation, Histogram magnitudeError,
              Histogram directionError, Curve speed, Curve trueSpeed, Strip strip) {
-    /** Bins of 2 % and 4 degrees, an odd number of them so that no error is the middle of one. */
+    /** Bins of 2 % and 4 degrees. Their number is odd, so that an error of zero is in the middle of a bin. */
     private static final int MAGNITUDE_BINS = 101;
     private static final double MAGNITUDE_LIMIT_PERCENT = 101;
     private static final int DIRECTION_BINS = 91;

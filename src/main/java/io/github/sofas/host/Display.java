@@ -6,7 +6,10 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
-/** A display for jAER, whose chips draw even where nobody looks: that of the user, else one without a screen. */
+/**
+ * A display for jAER, whose chips draw even if nobody watches. The display is the user's, or else that of an X server
+ * without a screen (Xvfb), which this class starts and stops.
+ */
 public final class Display implements AutoCloseable {
     private final String name;
     private final Process server;
@@ -17,10 +20,10 @@ public final class Display implements AutoCloseable {
     }
 
     /**
-     * Finds the display that the environment names, else starts Xvfb. Windows and macOS need neither.
+     * Takes the display that the environment names, or else starts Xvfb. Windows and macOS need neither.
      *
-     * @param named value of DISPLAY, or null
-     * @throws JaerException where there is none to be had
+     * @param named value of the environment variable DISPLAY, or null
+     * @throws JaerException if there is no display and Xvfb cannot be started
      */
     public static Display open(String named) throws JaerException {
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
@@ -28,7 +31,7 @@ public final class Display implements AutoCloseable {
             return new Display(named == null ? "" : named, null);
         }
         try {
-            // it says the number that it chose as soon as it listens
+            // Xvfb prints the number of the display that it chose as soon as it listens
             Process server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x768x24")
                 .redirectError(ProcessBuilder.Redirect.DISCARD).start();
             String number = new BufferedReader(
@@ -38,17 +41,17 @@ public final class Display implements AutoCloseable {
             }
             server.destroy();
         } catch (IOException e) {
-            // not installed: as if it had not answered
+            // Xvfb is not installed: treated as if it had not answered
         }
         throw new JaerException("jAER needs a display: set DISPLAY, or install Xvfb, which is then used");
     }
 
-    /** What a process finds it by; empty where none is needed. */
+    /** Value of DISPLAY by which a process finds the display; empty if none is needed. */
     String name() {
         return name;
     }
 
-    /** Stops what was started. */
+    /** Stops Xvfb if it was started. */
     @Override
     public void close() {
         if (server != null) {

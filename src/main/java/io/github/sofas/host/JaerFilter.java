@@ -20,15 +20,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * One of jAER's motion-flow filters, as jAER has it with its default settings, run in jAER on the same packets. A batch
- * is a packet: unlike the engine's own results, those of some filters depend on the cut. Filters without segments give
- * segment 1 to what has flow.
+ * One of jAER's motion-flow filters with its default settings, run in jAER so that its results can be compared with the
+ * engine's. jAER runs in another process, which receives the events and returns their flow through its standard input
+ * and output. Each batch becomes one packet: unlike the engine's results, those of some filters depend on how the
+ * events are cut into packets. Filters without segments give segment 1 to all events with flow.
  */
 public final class JaerFilter implements EventLabeller, AutoCloseable {
     private static final int READY = 0x50fa5;
-    /** jAER starts in 3 s, on a machine that does other things in 20. */
+    /** Longest time that jAER may take to start: it starts in 3 s, or in 20 s on a busy machine. */
     private static final Duration LONGEST_START = Duration.ofSeconds(90);
-    /** The starter gives jAER 5 s. */
+    /** Longest time that the starter may take to end: it gives jAER 5 s. */
     private static final int LONGEST_END_S = 8;
     private static final String STARTER = "io.github.sofas.jaer.StartFilter";
 
@@ -48,11 +49,11 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
     /**
      * Starts jAER with a filter, without a viewer.
      *
-     * @param plugin sofas-jAER.jar
-     * @param folder jAER's
-     * @param java the program to start; it runs jAER too unless jAER brings its own
-     * @param filterClass full name of a class
-     * @throws JaerException where jAER or the filter does not start
+     * @param plugin the plugin's jar, sofas-jAER.jar
+     * @param folder folder of jAER
+     * @param java the Java program to start; it also runs jAER, unless jAER brings its own Java
+     * @param filterClass full name of the filter's class
+     * @throws JaerException if jAER or the filter does not start
      */
     public static JaerFilter start(Path plugin, Path folder, Path java, Display display, String filterClass,
                                    SensorSize sensor) throws JaerException {
@@ -78,7 +79,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
     }
 
     private void awaitReady(String filterClass, Duration longest) throws IOException {
-        // a read from a process cannot be given up, but ends with the process
+        // a read from a process cannot be cancelled, but ends with the process
         AtomicBoolean answered = new AtomicBoolean();
         CompletableFuture.delayedExecutor(longest.toMillis(), TimeUnit.MILLISECONDS).execute(() -> {
             if (answered.compareAndSet(false, true)) {
@@ -89,7 +90,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         try {
             ready = in.readInt() == READY;
         } catch (IOException e) {
-            // the process ended, or was ended; its last words follow
+            // the process ended, or was ended; its log holds the reason
         }
         boolean late = !answered.compareAndSet(false, true);
         if (ready && !late) {
@@ -104,7 +105,9 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         throw new JaerException(words.isEmpty() ? "jAER ended before " + filterClass + " was ready" : words);
     }
 
-    /** Ends the starter, which takes jAER and its folder along, else both by force. */
+    /**
+     * Ends the starter, which ends jAER and deletes its temporary folder; ends both by force if that takes too long.
+     */
     private void destroy() {
         List<ProcessHandle> started = process.descendants().toList();
         process.destroy();
@@ -117,7 +120,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         started.forEach(ProcessHandle::destroyForcibly);
     }
 
-    /** What a process that ended said last: its exception, else its last line. */
+    /** Last message of a process that ended: its exception, or else the last line of its log. */
     private String lastWords() throws IOException {
         List<String> lines = new ArrayList<>(Files.readAllLines(log));
         lines.removeIf(String::isBlank);
@@ -132,7 +135,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
     /**
      * {@inheritDoc}
      *
-     * @throws UncheckedIOException where jAER ended
+     * @throws UncheckedIOException if jAER has ended
      */
     @Override
     public void process(EventBatch batch, FlowOutput output) {
@@ -171,12 +174,12 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         }
     }
 
-    /** Time that the filter itself took, in s. */
+    /** Time that the filter itself took so far, in s. */
     public double seconds() {
         return filterNs * 1e-9;
     }
 
-    /** Not needed for one recording, and not served. */
+    /** Not supported: one filter labels one recording. */
     @Override
     public void reset() {
         throw new UnsupportedOperationException("start another");
@@ -190,7 +193,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
             out.close();
             process.waitFor(5, TimeUnit.SECONDS);
         } catch (IOException e) {
-            // it has ended already
+            // jAER has ended already
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -198,7 +201,7 @@ public final class JaerFilter implements EventLabeller, AutoCloseable {
         try {
             Files.deleteIfExists(log);
         } catch (IOException e) {
-            // a file in the folder for temporary files stays behind
+            // one file stays behind in the folder for temporary files
         }
     }
 }

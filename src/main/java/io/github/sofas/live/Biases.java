@@ -5,10 +5,11 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * The bias currents of a camera, which set its thresholds and speed. Immutable. The names are libcaer's.
+ * The bias currents of a camera, which determine its thresholds and speed. Immutable. The names are libcaer's.
  *
- * <p>A value of a DAVIS is a word of 16 bits: coarse current in bits 14 to 12, fine current in bits 11 to 4, then four
- * flags (8 normal current, 4 normal type, 2 sex N, 1 enabled). One of a DVS128 is a plain number of 24 bits.
+ * <p>A bias of a DAVIS is a word of 16 bits: the coarse current in bits 14 to 12, the fine current in bits 11 to 4,
+ * then four flags (8 normal current, 4 normal type, 2 sex N, 1 enabled). A bias of a DVS128 is a plain number of 24
+ * bits.
  */
 public final class Biases {
     private static final int DAVIS_MAX = 0xFFFF;
@@ -53,9 +54,9 @@ public final class Biases {
     /**
      * One bias.
      *
-     * @param name as in libcaer
-     * @param address where the camera has it
-     * @param value as sent to the camera
+     * @param name name as in libcaer
+     * @param address number of the bias in the camera
+     * @param value value as sent to the camera
      */
     record Bias(String name, int address, int value) {
     }
@@ -66,7 +67,7 @@ public final class Biases {
     }
 
     /**
-     * {@return what is sensible for a kind of camera}
+     * {@return the default biases of a kind of camera}
      *
      * @param model kind of camera
      */
@@ -78,23 +79,23 @@ public final class Biases {
         };
     }
 
-    /** All of them, in the order in which they are sent. */
+    /** All biases, in the order in which they are sent. */
     List<Bias> all() {
         return Collections.unmodifiableList(all);
     }
 
-    /** {@return all names, separated by commas} */
+    /** {@return the names of all biases, separated by commas} */
     public String names() {
         return String.join(", ", all.stream().map(Bias::name).toList());
     }
 
     /**
-     * {@return the same with another value of one bias}
+     * {@return these biases with another value of one of them}
      *
-     * @param name in upper or lower case
+     * @param name name of the bias, in upper or lower case
      * @param text a number, decimal or hexadecimal with 0x in front; or, for a DAVIS, coarse and fine current (0 to 7
      *     and 0 to 255) separated by a blank, which leave the flags as they are
-     * @throws IllegalArgumentException where the camera has no such bias or the value is outside its range
+     * @throws IllegalArgumentException if the camera has no such bias, or if the value is outside its range
      */
     public Biases with(String name, String text) {
         List<Bias> changed = new ArrayList<>(all);

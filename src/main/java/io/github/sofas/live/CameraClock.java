@@ -1,13 +1,13 @@
 package io.github.sofas.live;
 
 /**
- * The time of a camera that sends its low bits with the events and a wrap each time that they overflow. Counted on in
- * 64 bits, in µs. The times it gives never fall: a camera that sets its time to zero goes on from the newest time, and
- * any other step back is counted and gets the newest time.
+ * Extends the time of a camera to 64 bits, in µs. The camera sends the low bits with its events, and a wrap each time
+ * that these bits overflow. The extended times never decrease. After a camera sets its time to zero, they continue from
+ * the newest time. Any other step back is counted and gets the newest time.
  */
 final class CameraClock {
     private final long wrapWorthUs;
-    /** When the camera's time was zero. */
+    /** Extended time at which the camera's time was zero. */
     private long originUs;
     private long wrapUs;
     private long newestUs;
@@ -20,7 +20,7 @@ final class CameraClock {
     /**
      * Starts at 0.
      *
-     * @param wrapWorthUs what the low bits count up to before they start again
+     * @param wrapWorthUs time from one overflow of the low bits to the next
      */
     CameraClock(long wrapWorthUs) {
         this.wrapWorthUs = wrapWorthUs;
@@ -30,7 +30,7 @@ final class CameraClock {
         return newestUs;
     }
 
-    /** Takes the low bits of a time and gives the time. */
+    /** Returns the extended time for the low bits that the camera sent. */
     long tell(int lowBits) {
         long timeUs = originUs + wrapUs + lowBits;
         if (timeUs < newestUs) {
@@ -47,14 +47,14 @@ final class CameraClock {
         return timeUs;
     }
 
-    /** The low bits have overflowed so many times. */
+    /** Notes that the low bits have overflowed so many times. */
     void wrap(int times) {
         wraps += times;
         wrapUs += times * wrapWorthUs;
         newestUs = Math.max(newestUs, originUs + wrapUs);
     }
 
-    /** The camera has set its time to zero. */
+    /** Notes that the camera has set its time to zero. */
     void reset() {
         resets++;
         originUs = newestUs;
@@ -62,7 +62,7 @@ final class CameraClock {
         wrapMayBeLost = false;
     }
 
-    /** Part of the stream is lost: a step back that follows is a wrap that was in it. */
+    /** Notes that part of the stream is lost: if the next time steps back, a wrap was in the lost part. */
     void lose() {
         wrapMayBeLost = true;
     }

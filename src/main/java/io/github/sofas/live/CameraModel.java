@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The kinds of cameras that are served, as they show themselves on the USB. */
+/** The supported kinds of cameras: how each is recognised on the USB, and what its transfers need. */
 public enum CameraModel {
     /** DAVIS with an FX2: 240 x 180 pixels. */
     DAVIS240C(0x841B, 4, 0x82, 8192),
@@ -13,7 +13,7 @@ public enum CameraModel {
     /** DVS with an FX2: 128 x 128 pixels. */
     DVS128(0x8400, 14, 0x86, 4096);
 
-    /** The maker of all of them. */
+    /** Vendor id, the same for all models. */
     static final int VENDOR_ID = 0x152A;
     /** Transfers that wait for data at any time. */
     static final int TRANSFERS = 8;
@@ -23,9 +23,9 @@ public enum CameraModel {
     private static final int BLANK_FX3 = 0x00F3;
 
     final int productId;
-    /** Oldest firmware that is served. */
+    /** Oldest supported firmware version. */
     final int firmware;
-    /** Where events come from. */
+    /** Address of the bulk endpoint that delivers the events. */
     final int endpoint;
     final int transferBytes;
 
@@ -36,18 +36,18 @@ public enum CameraModel {
         this.transferBytes = transferBytes;
     }
 
-    /** The kind of camera that a device is, if it is one. */
+    /** The model of a device; empty if the device is not a supported camera. */
     static Optional<CameraModel> of(UsbDevice device) {
         return Arrays.stream(values())
             .filter(model -> device.vendorId() == VENDOR_ID && device.productId() == model.productId).findFirst();
     }
 
-    /** Whether a device is the USB chip of such a camera, without the firmware that makes it one. */
+    /** Whether a device is the bare USB chip of such a camera, without the camera's firmware. */
     static boolean isBlank(UsbDevice device) {
         return device.vendorId() == CYPRESS && List.of(BLANK_FX2, BLANK_FX3).contains(device.productId());
     }
 
-    /** What is wrong with a device that {@link #isBlank}. */
+    /** Describes to the user what is wrong with a device that {@link #isBlank}. */
     static String blankFault(UsbDevice device) {
         return String.format("firmware missing: bus %d, address %d is a bare %s (%04x:%04x); flash the camera's "
             + "firmware with jAER or the maker's tool", device.bus(), device.address(),

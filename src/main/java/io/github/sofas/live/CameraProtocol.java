@@ -3,24 +3,27 @@ package io.github.sofas.live;
 import io.github.sofas.event.EventSourceException;
 import io.github.sofas.recording.Chip;
 
-/** How a kind of camera is asked what it is, started and stopped. */
+/**
+ * The requests that identify, configure, start and stop one kind of camera. {@link Cameras} identifies a camera when it
+ * is opened; {@link CameraSource} does the rest.
+ */
 interface CameraProtocol {
     /**
-     * Asks the camera what it is.
+     * Asks the camera for its chip.
      *
-     * @throws EventSourceException where it is not served
+     * @throws EventSourceException if this camera is not supported
      */
     Chip identify() throws UsbException, EventSourceException;
 
-    /** A new decoder of its transfers, once it is identified. */
+    /** A new decoder for the camera's transfers; only after {@link #identify}. */
     CameraDecoder decoder();
 
-    /** Brings it from any state to one in which it waits to be started. */
+    /** Brings the camera from any state into one in which it waits to be started. */
     void configure(Biases biases) throws UsbException;
 
-    /** Lets it send; the transfers that take what it sends were started before. */
+    /** Starts the camera's stream. The transfers that receive the stream were started before. */
     void start() throws UsbException;
 
-    /** Lets it send no more. */
+    /** Stops the camera's stream. */
     void stop() throws UsbException;
 }

@@ -9,9 +9,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** The events of one camera on the USB. Made by {@link Cameras}, started by {@link #start}. */
+/**
+ * The events of one camera on the USB. {@link Cameras} opens the camera, and {@link #start} starts it. From then on,
+ * the thread of the USB transfers decodes the events and puts them into the queue. A lost transfer costs only its own
+ * events. The stream ends when the camera is unplugged, or when too many transfers in a row are lost.
+ */
 public final class CameraSource extends LiveSource {
-    /** A cable or port that is broken gives nothing but faults; each is asked for again at once. */
+    /**
+     * This many lost transfers in a row end the stream. A broken cable or port gives nothing but faults, and each lost
+     * transfer is submitted again at once.
+     */
     private static final int MOST_LOST_IN_A_ROW = 100;
 
     private final CameraModel model;
@@ -44,10 +51,10 @@ public final class CameraSource extends LiveSource {
     }
 
     /**
-     * Configures the camera and lets it send.
+     * Configures the camera and starts its stream.
      *
-     * @param biases set before the camera starts
-     * @throws EventSourceException where it does not obey
+     * @param biases bias currents, set before the camera starts
+     * @throws EventSourceException if a request to the camera fails
      */
     public void start(Biases biases) throws EventSourceException {
         try {
@@ -59,7 +66,7 @@ public final class CameraSource extends LiveSource {
         }
     }
 
-    /** Called on the thread of the transfers. */
+    /** Receives the transfers; called on their thread. */
     private final class Transfers implements UsbConnection.Receiver {
         @Override
         public void received(byte[] data, int length) {
@@ -95,7 +102,7 @@ public final class CameraSource extends LiveSource {
             try {
                 protocol.stop();
             } catch (UsbException e) {
-                // Unplugged or broken: the transfers tell, and nothing is left to stop.
+                // Unplugged or broken: the transfers report the fault, and nothing is left to stop.
                 gone = true;
             }
         }

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
 
-/** The cameras that are plugged in. */
+/** Lists the cameras that are plugged in, with the reason why one cannot be used, and opens one. */
 public final class Cameras {
-    /** Where the project has the rule that lets users open cameras on Linux. */
+    /** Path, within the project, of the udev rule that allows users to open cameras on Linux. */
     public static final String UDEV_RULE = "udev/65-event-cameras.rules";
 
     private final UsbTransport usb;
@@ -17,10 +17,10 @@ public final class Cameras {
     /**
      * One camera.
      *
-     * @param model its kind; null for one whose firmware is missing
-     * @param device where it is
-     * @param serial its serial number; empty where it has none or cannot be opened
-     * @param fault why it cannot be used; null where nothing is known against it
+     * @param model kind of camera; null if the firmware is missing
+     * @param device the camera on the USB
+     * @param serial serial number; empty if the camera has none or cannot be opened
+     * @param fault why the camera cannot be used; null if no reason is known
      */
     public record Camera(CameraModel model, UsbDevice device, String serial, String fault) {
         /** {@return the kind and serial number} */
@@ -30,15 +30,15 @@ public final class Cameras {
     }
 
     /**
-     * Those on a transport.
+     * Looks for cameras on a transport.
      *
-     * @param usb how cameras are reached
+     * @param usb the transport to the devices
      */
     public Cameras(UsbTransport usb) {
         this(usb, Cameras::pause);
     }
 
-    /** With something else than a real pause. */
+    /** The same with another way to pause, for tests. */
     Cameras(UsbTransport usb, IntConsumer pauseMs) {
         this.usb = usb;
         this.pauseMs = pauseMs;
@@ -48,15 +48,15 @@ public final class Cameras {
         try {
             Thread.sleep(ms);
         } catch (InterruptedException e) {
-            // The caller waits or writes next, and meets it there.
+            // The caller waits or writes next, and meets the interrupt there.
             Thread.currentThread().interrupt();
         }
     }
 
     /**
-     * {@return all cameras, with those that cannot be used}
+     * {@return all cameras, including those that cannot be used}
      *
-     * @throws EventSourceException where the devices cannot be listed
+     * @throws EventSourceException if the devices cannot be listed
      */
     public List<Camera> list() throws EventSourceException {
         List<Camera> cameras = new ArrayList<>();
@@ -107,9 +107,9 @@ public final class Cameras {
     /**
      * Opens a camera, which can then be started.
      *
-     * @param serial which one; null for the first that can be used
+     * @param serial serial number of the camera; null for the first that can be used
      * @return the camera
-     * @throws EventSourceException where there is none, or it cannot be used
+     * @throws EventSourceException if there is no such camera, or if it cannot be used
      */
     public CameraSource open(String serial) throws EventSourceException {
         List<Camera> cameras = list();
@@ -122,7 +122,7 @@ public final class Cameras {
             if (asked && camera.fault == null) {
                 return open(camera);
             }
-            // One that cannot be opened does not give its serial number, and may be the one that was asked for.
+            // A camera that cannot be opened has no serial number here, and may be the one that was asked for.
             if (firstUnusable == null && camera.fault != null && (asked || camera.serial.isEmpty())) {
                 firstUnusable = camera;
             }

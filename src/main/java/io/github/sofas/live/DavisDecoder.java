@@ -9,9 +9,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Decodes the words of a DAVIS, 16 bits each, little-endian. A word with bit 15 set is the time of those that follow.
- * Any other has a code in bits 14 to 12 and data below: a row address holds for the column addresses that follow, each
- * of which is an event. Rows count from the top, columns from the left.
+ * Decodes the stream of a DAVIS into events. The stream consists of little-endian words of 16 bits. A word with bit 15
+ * set holds the time of the words that follow. Any other word has a code in bits 14 to 12 and data in the bits below. A
+ * row address is valid for the column addresses that follow, each of which is an event. Rows count from the top,
+ * columns from the left.
  */
 final class DavisDecoder implements CameraDecoder {
     private static final VarHandle SHORT = MethodHandles.byteArrayViewVarHandle(short[].class,
@@ -55,7 +56,7 @@ final class DavisDecoder implements CameraDecoder {
      * Makes a decoder.
      *
      * @param sensor size of the sensor as events see it
-     * @param swapped whether the camera's rows are the sensor's columns
+     * @param swapped whether the rows that the camera sends are the sensor's columns
      */
     DavisDecoder(SensorSize sensor, boolean swapped) {
         this.columns = swapped ? sensor.height() : sensor.width();
@@ -108,7 +109,7 @@ final class DavisDecoder implements CameraDecoder {
                 apsSamples++;
                 break;
             default:
-                // Bytes of an IMU sample, exposure times.
+                // The bytes of IMU samples, and exposure times.
                 otherWords++;
                 break;
         }

@@ -9,8 +9,9 @@ import java.util.TreeMap;
 import java.util.function.IntConsumer;
 
 /**
- * DAVIS with FX2 or FX3: parameters of 32 bits, addressed by module and number, big-endian on the wire. The order of
- * the writes is libcaer's.
+ * Configures, starts and stops a DAVIS with an FX2 or FX3. The camera has parameters of 32 bits, addressed by module
+ * and number, and big-endian on the wire. The constants name these modules and numbers. The order of the writes is
+ * libcaer's.
  */
 final class DavisProtocol implements CameraProtocol {
     private static final int REQUEST = 0xBF;
@@ -31,7 +32,7 @@ final class DavisProtocol implements CameraProtocol {
     private static final int DVS_WAIT_ON_STALL = 4;
     private static final int DVS_EXTERNAL_AER = 5;
     private static final int SWAPPED = 4;
-    /** Numbers that tell whether the camera has a filter; what switches it follows each. */
+    /** Numbers of the parameters that show whether the camera has a filter; the filter's settings follow each. */
     private static final int HAS_PIXEL_FILTER = 10;
     private static final int PIXELS_FILTERED = 8;
     private static final int HAS_ACTIVITY_FILTER = 30;
@@ -61,11 +62,14 @@ final class DavisProtocol implements CameraProtocol {
     private static final int USB = 9;
     private static final int USB_RUN = 0;
     private static final int USB_EARLY_DELAY = 1;
-    /** What waits is sent after 1 ms: 8 times 125 µs, in cycles of a clock told in MHz. */
+    /**
+     * Time after which the camera sends the waiting data, even if they fill no packet: 1 ms, as 8 times 125 µs. Written
+     * in cycles of the USB clock, whose rate the camera reports in MHz.
+     */
     private static final double EARLY_US = 8 * 125;
     private static final double DEVIATION_UNIT = 1000;
 
-    /** What the chip's numbers mean, by kind of camera. */
+    /** Name of the chip by its number, for each kind of camera. */
     private static final Map<CameraModel, Map<Integer, String>> CHIPS = Map.of(
         CameraModel.DAVIS240C, new TreeMap<>(Map.of(0, "DAVIS240A", 1, "DAVIS240B", 2, "DAVIS240C")),
         CameraModel.DAVIS346, new TreeMap<>(Map.of(4, "DAVIS346", 5, "Davis346B", 9, "Davis346cBSI")));
@@ -83,8 +87,8 @@ final class DavisProtocol implements CameraProtocol {
     /**
      * For a camera that is claimed.
      *
-     * @param name for messages
-     * @param pauseMs waits
+     * @param name name of the camera in messages
+     * @param pauseMs waits for so many ms
      */
     DavisProtocol(String name, CameraModel model, UsbConnection usb, IntConsumer pauseMs) {
         this.name = name;
@@ -160,7 +164,7 @@ final class DavisProtocol implements CameraProtocol {
 
     private void switchFiltersOff() throws UsbException {
         if (read(DVS, HAS_PIXEL_FILTER) != 0) {
-            // A pixel that is not there is never filtered.
+            // The address of a pixel that does not exist: no pixel of the sensor is filtered.
             for (int i = 0; i < PIXELS_FILTERED; i++) {
                 write(DVS, HAS_PIXEL_FILTER + 1 + 2 * i, rows);
                 write(DVS, HAS_PIXEL_FILTER + 2 + 2 * i, columns);

@@ -9,7 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Decodes the events of a DVS128, 4 bytes each: an address as jAER writes it and a time, both 16 bits, little-endian.
+ * Decodes the stream of a DVS128 into events. Each event has 4 bytes: an address as jAER writes it, then a time, both
+ * little-endian words of 16 bits. Two bits of the time mark wraps and resets of the camera's time.
  */
 final class Dvs128Decoder implements CameraDecoder {
     private static final VarHandle SHORT = MethodHandles.byteArrayViewVarHandle(short[].class,
@@ -76,7 +77,7 @@ final class Dvs128Decoder implements CameraDecoder {
 
     @Override
     public Map<String, Long> dropped() {
-        // 7 bits each for x and y: no event lies outside.
+        // x and y have 7 bits each: no event lies outside the sensor.
         return Map.of();
     }
 }

@@ -3,7 +3,10 @@ package io.github.sofas.live;
 import io.github.sofas.recording.Chip;
 import io.github.sofas.recording.JaerAddress;
 
-/** DVS128: all biases at once, 24 bits each, big-endian; then events until it is stopped. */
+/**
+ * Configures, starts and stops a DVS128. The camera takes all biases in one request, as big-endian numbers of 24 bits.
+ * Once started, the camera sends events until it is stopped.
+ */
 final class Dvs128Protocol implements CameraProtocol {
     private static final int SEND_BIASES = 0xB8;
     private static final int START = 0xB3;

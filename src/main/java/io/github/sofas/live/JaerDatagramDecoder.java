@@ -9,16 +9,20 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Decodes datagrams of jAER: a sequence number, then address and time in µs of each event, 32 bits each, big-endian.
- * Used by one thread.
+ * Decodes the datagrams of jAER into events. A datagram holds a sequence number, then the address and the time in µs of
+ * each event, all of them big-endian words of 32 bits. The decoder counts missing datagrams, and gives times that never
+ * decrease. Used by one thread.
  */
 final class JaerDatagramDecoder {
     static final int EVENT_BYTES = 8;
 
     private static final int HEADER_BYTES = 4;
-    /** A sequence number this little behind is of a datagram that was overtaken; any other of a new sender. */
+    /**
+     * A sequence number that is less than this behind the last one belongs to a datagram that was overtaken. Any other
+     * that is behind belongs to a new sender.
+     */
     private static final int OVERTAKEN = 64;
-    /** A step back by more than this is no disorder: the sender's time was set anew. */
+    /** A step back by more than this is no disorder: the sender's time was reset. */
     private static final long TIME_RESET_US = 1_000_000;
 
     private final JaerAddress addresses;
@@ -49,7 +53,7 @@ final class JaerDatagramDecoder {
     /**
      * Appends the events of a datagram.
      *
-     * @param batch has room for all that fit into it
+     * @param batch receives the events; has room for all that fit into the datagram
      */
     void decode(ByteBuffer data, int length, EventBatch batch) {
         datagrams++;
@@ -77,7 +81,7 @@ final class JaerDatagramDecoder {
         }
     }
 
-    /** Whether a datagram is one of those that follow the last. */
+    /** Whether a datagram is in sequence, and thus to be decoded; counts lost and overtaken datagrams and restarts. */
     private boolean inSequence(int sequence) {
         int ahead = sequence - lastSequence;
         if (anyReceived && ahead > 0) {
@@ -93,7 +97,7 @@ final class JaerDatagramDecoder {
         return true;
     }
 
-    /** Time that never falls, in 64 bits. */
+    /** Extends a time of the sender to 64 bits; the results never decrease. */
     private long time(int rawUs) {
         if (!anyTime) {
             anyTime = true;
@@ -115,17 +119,17 @@ final class JaerDatagramDecoder {
         return newestUs;
     }
 
-    /** Datagrams that are missing. */
+    /** Number of datagrams that are missing. */
     long lost() {
         return lost;
     }
 
-    /** Events that lay outside the sensor. */
+    /** Number of events that lay outside the sensor. */
     long outside() {
         return outside;
     }
 
-    /** How many of each kind were met, by name. */
+    /** Numbers of all that the stream held besides events, by name. */
     Map<String, Long> counts() {
         Map<String, Long> counts = new LinkedHashMap<>();
         counts.put("datagrams", datagrams);
@@ -140,7 +144,7 @@ final class JaerDatagramDecoder {
         return counts;
     }
 
-    /** What went wrong, one line each. */
+    /** Describes the faults of the stream for the user, one line each. */
     List<String> faults() {
         List<String> faults = new ArrayList<>();
         if (lost > 0) {

@@ -12,9 +12,12 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 
-/** What jAER's AEUnicast output sends with its standard settings, as {@link JaerDatagramDecoder} tells. */
+/**
+ * The events that jAER's AEUnicast output sends over UDP with its standard settings. A thread of the source receives
+ * the datagrams; {@link JaerDatagramDecoder} describes and decodes their format.
+ */
 public final class JaerUdpSource extends LiveSource {
-    /** Where jAER sends unless told otherwise. */
+    /** The port to which jAER sends by default. */
     public static final int JAER_PORT = 8991;
 
     private static final int DATAGRAM_BYTES = 65_535;
@@ -28,9 +31,9 @@ public final class JaerUdpSource extends LiveSource {
     /**
      * Starts to listen.
      *
-     * @param address where to; port 0 for any that is free
-     * @param chip whose addresses are sent
-     * @throws EventSourceException where the port cannot be had
+     * @param address address and port to listen to; port 0 for any port that is free
+     * @param chip chip whose pixel addresses are sent
+     * @throws EventSourceException if the port cannot be opened
      */
     public JaerUdpSource(InetSocketAddress address, Chip chip) throws EventSourceException {
         super("UDP port " + address.getPort(), chip, DATAGRAM_BYTES / JaerDatagramDecoder.EVENT_BYTES);
@@ -47,7 +50,7 @@ public final class JaerUdpSource extends LiveSource {
         thread.start();
     }
 
-    /** {@return the port that is listened to} */
+    /** {@return the port that the source listens to} */
     public int port() {
         return socket.getLocalPort();
     }
@@ -66,7 +69,7 @@ public final class JaerUdpSource extends LiveSource {
             try {
                 socket.receive(datagram);
             } catch (IOException e) {
-                // Closed by stop(), which ends the queue without a fault before this does.
+                // The socket is closed by stop(), which has ended the queue without a fault before.
                 if (!socket.isClosed()) {
                     queue.end(new EventSourceException("[" + name() + "] cannot be received: " + e.getMessage(), e));
                 }

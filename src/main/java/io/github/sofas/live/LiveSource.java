@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Events as they happen. They come in on a thread of their own and wait in a bounded queue; where the one who calls
- * {@link #next} falls behind, whole packets are dropped, oldest first, and counted. Memory is taken at the start and
- * does not grow.
+ * A source of events as they happen: a camera or a network stream. A thread of the source receives the events and puts
+ * them into a bounded queue. If the caller of {@link #next} falls behind, whole packets are dropped, oldest first, and
+ * counted. All memory is allocated at the start and does not grow.
  */
 public abstract class LiveSource implements EventSource {
-    /** Packets that wait at most: about half a second at 1 million events/s from a DAVIS. */
+    /** Most packets that wait in the queue: about half a second at 1 million events/s from a DAVIS. */
     private static final int QUEUE_PACKETS = 256;
 
     final PacketQueue queue;
@@ -25,7 +25,7 @@ public abstract class LiveSource implements EventSource {
     private int delivered;
     private long receivedNs;
     private boolean stopped;
-    /** Of the thread that events come in on. */
+    /** Belongs to the receiving thread. */
     private long decodeNs;
 
     LiveSource(String name, Chip chip, int packetCapacity) {
@@ -34,7 +34,7 @@ public abstract class LiveSource implements EventSource {
         queue = new PacketQueue(QUEUE_PACKETS, packetCapacity);
     }
 
-    /** {@return what it is called in messages, such as "DAVIS240C 84010012"} */
+    /** {@return the name of the source in messages, such as "DAVIS240C 84010012"} */
     public final String name() {
         return name;
     }
@@ -49,7 +49,7 @@ public abstract class LiveSource implements EventSource {
         return chip.sensor();
     }
 
-    /** {@return what the events come as, such as "DAVIS over USB"} */
+    /** {@return the name of the stream's format, such as "DAVIS over USB"} */
     public abstract String formatName();
 
     @Override
@@ -70,32 +70,32 @@ public abstract class LiveSource implements EventSource {
         return true;
     }
 
-    /** An empty packet for what has come in just now. */
+    /** An empty packet for the data that has just come in. */
     final PacketQueue.Packet arrival() {
         PacketQueue.Packet empty = queue.empty();
         empty.receivedNs = System.nanoTime();
         return empty;
     }
 
-    /** Hands on a packet that {@link #arrival()} gave, with its events. */
+    /** Puts a packet of {@link #arrival()}, with its decoded events, into the queue. */
     final void handOn(PacketQueue.Packet decoded) {
         decodeNs += System.nanoTime() - decoded.receivedNs;
         queue.offer(decoded);
     }
 
-    /** {@return the time spent on decoding, in seconds; exact once stopped} */
+    /** {@return the time spent on decoding, in s; exact once the source is stopped} */
     public final double decodeS() {
         return decodeNs / 1e9;
     }
 
-    /** {@return when the events of the last batch came in, of {@link System#nanoTime()}} */
+    /** {@return when the events of the last batch came in, as {@link System#nanoTime()} counts} */
     public final long receivedNs() {
         return receivedNs;
     }
 
     /**
-     * Ends the stream: {@link #next} delivers what waits and then false. May be called by any thread, more than once;
-     * returns when nothing more comes in.
+     * Ends the stream: {@link #next} delivers the events that wait and then returns false. Any thread may call this,
+     * more than once. Returns when nothing more comes in.
      */
     public final void stop() {
         synchronized (this) {
@@ -107,41 +107,41 @@ public abstract class LiveSource implements EventSource {
         queue.end(null);
     }
 
-    /** Stops what comes in, and returns when the thread that it came in on is done. Called once. */
+    /** Stops the reception, and returns when the receiving thread has ended. Called once. */
     abstract void shutDown();
 
-    /** {@return packets that wait now} */
+    /** {@return the number of packets that wait now} */
     public final int packetsWaiting() {
         return queue.waiting();
     }
 
-    /** {@return packets that wait at most} */
+    /** {@return the number of packets that wait at most} */
     public final int queueLimit() {
         return queue.limit();
     }
 
-    /** {@return events dropped so far because whoever takes them fell behind} */
+    /** {@return the number of events dropped so far because the caller of {@link #next} fell behind} */
     public final long eventsDropped() {
         return queue.droppedEvents();
     }
 
-    /** {@return transfers or datagrams lost so far on their way here} */
+    /** {@return the number of transfers or datagrams lost so far on their way here} */
     public abstract long packetsLost();
 
-    /** {@return how many of each kind came in, by name; exact once stopped} */
+    /** {@return numbers of all that came in, by name; exact once the source is stopped} */
     public abstract Map<String, Long> counts();
 
-    /** {@return events that came in and were not delivered, by reason; exact once stopped} */
+    /** {@return numbers of events that came in but were not delivered, by reason; exact once the source is stopped} */
     public final Map<String, Long> dropped() {
         Map<String, Long> dropped = new LinkedHashMap<>(undecodable());
         dropped.put("engine_behind", queue.droppedEvents());
         return dropped;
     }
 
-    /** Events that came in but make no sense, by reason. */
+    /** Numbers of events that came in but make no sense, by reason. */
     abstract Map<String, Long> undecodable();
 
-    /** {@return what went wrong without ending the stream, one line each; exact once stopped} */
+    /** {@return the faults that did not end the stream, one line each; exact once the source is stopped} */
     public final List<String> faults() {
         return describeFaults().stream().map(fault -> "[" + name + "] " + fault).toList();
     }
@@ -155,6 +155,6 @@ public abstract class LiveSource implements EventSource {
         release();
     }
 
-    /** Gives back what is held; may be called more than once. */
+    /** Releases the device or socket; may be called more than once. */
     abstract void release();
 }

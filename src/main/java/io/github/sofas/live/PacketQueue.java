@@ -5,9 +5,9 @@ import io.github.sofas.event.EventSourceException;
 import java.util.ArrayDeque;
 
 /**
- * Packets of events on their way from the thread that they come in on to the thread that takes them. All packets are
- * made at the start and reused. Where the queue is full, the oldest packet in it is dropped, whole, and counted: what
- * is newest matters most to whoever watches a camera.
+ * A bounded queue of event packets from the receiving thread to the consuming thread. All packets are allocated at the
+ * start and reused. If the queue is full, the oldest packet in it is dropped, whole, and counted: the newest events
+ * matter most to whoever watches a camera.
  */
 final class PacketQueue {
     private final int limit;
@@ -22,7 +22,7 @@ final class PacketQueue {
     /** The events of one transfer or datagram. */
     static final class Packet {
         final EventBatch events;
-        /** When it came in, of {@link System#nanoTime()}. */
+        /** When the packet came in, as {@link System#nanoTime()} counts. */
         long receivedNs;
 
         Packet(int capacity) {
@@ -33,12 +33,12 @@ final class PacketQueue {
     /**
      * Makes an empty queue.
      *
-     * @param limit the most packets that wait in it
-     * @param capacity the most events of a packet
+     * @param limit greatest number of packets that wait in the queue
+     * @param capacity greatest number of events in a packet
      */
     PacketQueue(int limit, int capacity) {
         this.limit = limit;
-        // Beside those that wait, one is being filled and one is being taken.
+        // Besides the packets that wait, one is being filled and one is being consumed.
         free = new ArrayDeque<>(limit + 2);
         filled = new ArrayDeque<>(limit + 1);
         for (int i = 0; i < limit + 2; i++) {
@@ -46,7 +46,7 @@ final class PacketQueue {
         }
     }
 
-    /** An empty packet for the filling thread, which has one at a time. */
+    /** An empty packet for the receiving thread, which fills one at a time. */
     synchronized Packet empty() {
         Packet packet = free.poll();
         if (packet == null) {
@@ -56,7 +56,7 @@ final class PacketQueue {
         return packet;
     }
 
-    /** Hands over a packet; one without events is only given back. */
+    /** Puts a packet into the queue; a packet without events is only made free again. */
     synchronized void offer(Packet packet) {
         if (packet.events.size() == 0 || ended) {
             free.add(packet);
@@ -73,9 +73,9 @@ final class PacketQueue {
     }
 
     /**
-     * Says that nothing more comes; what waits can still be taken.
+     * Ends the queue: no more packets come. The packets that wait can still be taken.
      *
-     * @param cause what {@link #take()} throws after the last packet; null for an end that was asked for
+     * @param cause exception that {@link #take()} throws after the last packet; null for an end that was asked for
      */
     synchronized void end(EventSourceException cause) {
         if (!ended) {
@@ -86,10 +86,10 @@ final class PacketQueue {
     }
 
     /**
-     * The oldest packet, waiting for one where there is none. The one taken before is given back.
+     * Takes the oldest packet, and waits for one if the queue is empty. The packet taken before becomes free again.
      *
-     * @return null where the queue has ended
-     * @throws EventSourceException where it has ended by a fault
+     * @return the packet; null if the queue has ended
+     * @throws EventSourceException if the queue has ended by a fault
      */
     synchronized Packet take() throws EventSourceException {
         if (taken != null) {

@@ -1,14 +1,15 @@
 package io.github.sofas.live;
 
-/** The end of a thread whose buffers, socket or file must not go before it. */
+/** Waits for the end of a thread, before its buffers, socket or file are released. */
 public final class ThreadEnd {
     private ThreadEnd() {
     }
 
     /**
-     * Waits for a thread to end, however often the caller is interrupted meanwhile, and leaves it interrupted then.
+     * Waits for a thread to end, however often the caller is interrupted meanwhile. The caller is left interrupted
+     * then.
      *
-     * @param thread that is to end
+     * @param thread the thread that is to end
      */
     public static void await(Thread thread) {
         boolean interrupted = false;

@@ -12,7 +12,10 @@ import org.usb4java.DeviceHandle;
 import org.usb4java.LibUsb;
 import org.usb4java.Transfer;
 
-/** A device opened by libusb. Its transfers are waited for, and handed on, by one thread. */
+/**
+ * A device opened by libusb. One thread of its own, the pump, waits for its transfers, passes their data to the
+ * receiver and submits them again.
+ */
 final class Usb4JavaConnection implements UsbConnection {
     private static final int INTERFACE = 0;
     private static final byte VENDOR_IN = (byte) (LibUsb.REQUEST_TYPE_VENDOR | LibUsb.ENDPOINT_IN);
@@ -28,7 +31,7 @@ final class Usb4JavaConnection implements UsbConnection {
     private final List<Transfer> transfers = new ArrayList<>();
     private Thread thread;
 
-    // Of the thread of the transfers once it runs.
+    // These belong to the thread of the transfers once it runs.
     private final Deque<Transfer> stalled = new ArrayDeque<>();
     private byte[] data;
     private int endpoint;
@@ -105,13 +108,13 @@ final class Usb4JavaConnection implements UsbConnection {
         }
         transfers.forEach(this::submit);
         thread = new Thread(this::pump, "camera transfers");
-        // What the camera sends is lost if it is not asked for in time; the engine can wait.
+        // Data of the camera is lost unless it is requested in time; the engine can wait.
         thread.setPriority(Thread.MAX_PRIORITY);
         thread.setDaemon(true);
         thread.start();
     }
 
-    /** Waits for transfers until none is left. */
+    /** Waits for transfers until none is pending; cancels them all on a stop or a fault. */
     private void pump() {
         boolean cancelled = false;
         while (pending > 0) {
@@ -122,7 +125,7 @@ final class Usb4JavaConnection implements UsbConnection {
             resumeStalled();
             if ((stopping || end != null) && !cancelled) {
                 cancelled = true;
-                // One that is back already cannot be cancelled, which is as well.
+                // A transfer that is back already cannot be cancelled, which does no harm.
                 transfers.forEach(LibUsb::cancelTransfer);
             }
         }
@@ -131,7 +134,7 @@ final class Usb4JavaConnection implements UsbConnection {
         }
     }
 
-    /** Called by libusb, on the thread that pumps, with a transfer that is back. */
+    /** Is called by libusb, on the thread that pumps, with a transfer that is back. */
     private void taken(Transfer transfer) {
         pending--;
         if (stopping || end != null) {
@@ -140,7 +143,7 @@ final class Usb4JavaConnection implements UsbConnection {
         try {
             handOn(transfer);
         } catch (RuntimeException e) {
-            // Nobody above would see it: it must not pass through libusb.
+            // The exception must not pass through libusb: no caller above would see it.
             end = new UsbException(Fault.OTHER, "unexpected error: " + e, e);
         }
     }
@@ -184,7 +187,7 @@ final class Usb4JavaConnection implements UsbConnection {
         }
     }
 
-    /** Not from within libusb's call, for clearing waits for the device. */
+    /** Clears the halted endpoint. Not called from within libusb's callback, because clearing waits for the device. */
     private void resumeStalled() {
         while (!stalled.isEmpty() && end == null && !stopping) {
             int code = LibUsb.clearHalt(handle, (byte) endpoint);

@@ -10,7 +10,7 @@ import org.usb4java.DeviceList;
 import org.usb4java.LibUsb;
 import org.usb4java.LoaderException;
 
-/** The USB by libusb, through usb4java. */
+/** The real USB, through usb4java, Java's binding of libusb. */
 public final class Usb4JavaTransport implements UsbTransport {
     private final Context context = new Context();
     private boolean closed;
@@ -18,7 +18,7 @@ public final class Usb4JavaTransport implements UsbTransport {
     /**
      * Starts the use of the USB.
      *
-     * @throws UsbException where this system has no USB, or usb4java has no library for it
+     * @throws UsbException if this system has no USB, or if usb4java has no library for this system
      */
     public Usb4JavaTransport() throws UsbException {
         try {
@@ -29,7 +29,7 @@ public final class Usb4JavaTransport implements UsbTransport {
         }
     }
 
-    /** A libusb code below 0 as an exception. */
+    /** Returns a result of libusb that is not negative, and throws any other as an exception. */
     static int check(int code, String what) throws UsbException {
         if (code >= 0) {
             return code;
@@ -43,10 +43,10 @@ public final class Usb4JavaTransport implements UsbTransport {
         throw new UsbException(fault, what + " (" + LibUsb.errorName(code) + ")");
     }
 
-    /** What is done with one of the devices. */
+    /** Action on each device of a list. */
     @FunctionalInterface
     private interface Visitor {
-        /** Returns whether to go on. */
+        /** Returns whether to continue with the next device. */
         boolean visit(Device handle, UsbDevice device) throws UsbException;
     }
 

@@ -1,13 +1,13 @@
 package io.github.sofas.live;
 
 /**
- * A device on the USB.
+ * A device on the USB: its descriptor and its place on the bus.
  *
- * @param vendorId who made it
- * @param productId what it is
- * @param release its own version, bcdDevice; the low byte is the version of a camera's firmware
- * @param bus number of its bus
- * @param address its number on the bus, new each time it is plugged in
+ * @param vendorId id of the manufacturer (idVendor)
+ * @param productId id of the product (idProduct)
+ * @param release version of the device (bcdDevice); the low byte is a camera's firmware version
+ * @param bus number of the bus
+ * @param address number of the device on the bus, new each time the device is plugged in
  */
 public record UsbDevice(int vendorId, int productId, int release, int bus, int address) {
 }

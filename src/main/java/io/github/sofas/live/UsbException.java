@@ -1,17 +1,17 @@
 package io.github.sofas.live;
 
-/** A USB operation has failed. */
+/** A USB operation has failed. The {@link Fault} distinguishes the cases that need different action by the user. */
 public final class UsbException extends Exception {
     private static final long serialVersionUID = 1L;
 
-    /** What kind of fault it is. */
+    /** Kind of fault. */
     private final Fault fault;
 
-    /** What is wrong, as far as it makes a difference to the user. */
+    /** Kinds of faults, distinguished as far as the difference matters to the user. */
     public enum Fault {
-        /** The system does not let this user open the device. */
+        /** The operating system does not allow this user to open the device. */
         NO_PERMISSION,
-        /** Another program has the device. */
+        /** Another program uses the device. */
         BUSY,
         /** The device is no longer there. */
         GONE,
@@ -20,9 +20,9 @@ public final class UsbException extends Exception {
     }
 
     /**
-     * Makes one.
+     * Makes an exception without a cause.
      *
-     * @param fault what kind of fault it is
+     * @param fault kind of fault
      * @param message what is wrong, for the user
      */
     public UsbException(Fault fault, String message) {
@@ -31,18 +31,18 @@ public final class UsbException extends Exception {
     }
 
     /**
-     * Makes one with its cause.
+     * Makes an exception with a cause.
      *
-     * @param fault what kind of fault it is
+     * @param fault kind of fault
      * @param message what is wrong, for the user
-     * @param cause what it came from
+     * @param cause exception that led to this one
      */
     public UsbException(Fault fault, String message, Throwable cause) {
         super(message, cause);
         this.fault = fault;
     }
 
-    /** {@return what is wrong} */
+    /** {@return the kind of fault} */
     public Fault fault() {
         return fault;
     }

@@ -2,12 +2,12 @@ package io.github.sofas.live;
 
 import java.util.List;
 
-/** The USB, as far as cameras need it. */
+/** Access to the USB, as far as cameras need it: lists the devices and opens one. */
 public interface UsbTransport extends AutoCloseable {
     /**
      * {@return all devices that are plugged in}
      *
-     * @throws UsbException where they cannot be listed
+     * @throws UsbException if the devices cannot be listed
      */
     List<UsbDevice> devices() throws UsbException;
 
@@ -16,11 +16,11 @@ public interface UsbTransport extends AutoCloseable {
      *
      * @param device one of {@link #devices()}
      * @return the open device
-     * @throws UsbException where it cannot be opened
+     * @throws UsbException if the device cannot be opened
      */
     UsbConnection open(UsbDevice device) throws UsbException;
 
-    /** Ends the use of the USB; all connections were closed before. */
+    /** Ends the use of the USB. The caller has closed all connections before. */
     @Override
     void close();
 }

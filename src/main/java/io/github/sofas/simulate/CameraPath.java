@@ -1,22 +1,23 @@
 package io.github.sofas.simulate;
 
 /**
- * A wall before a camera that turns, or that slides past a wall seen at a slant. The speed of the picture where the
- * lens looks swings about its mean.
+ * The path of a wall before a camera that either turns, or slides past the wall and sees it at a slant. The path is a
+ * projective map that changes over time. The speed of the picture at the point that the lens looks at swings about its
+ * mean.
  *
  * @param focalPx focal length of the lens in px
- * @param middleX point of the sensor that the lens looks at, in px
- * @param headingX direction in which the picture moves there, of length 1
- * @param speedPxPerS its mean speed there
- * @param turns whether the camera turns; else it slides
- * @param slantX how far the wall goes back for each px to the right; 0 of one that is seen from the front
- * @param swing share of the speed that it swings by
- * @param periodS of the swing, in the middle of which the camera has neither turned nor slid
+ * @param middleX column of the sensor that the lens looks at, in px
+ * @param headingX direction in which the picture moves there, as a vector of length 1
+ * @param speedPxPerS mean speed of the picture there
+ * @param turns whether the camera turns; otherwise it slides
+ * @param slantX how far the wall recedes per px to the right; 0 for a wall seen from the front
+ * @param swing share of the speed by which the speed swings
+ * @param periodS period of the swing; in its middle, the camera has neither turned nor slid
  */
 record CameraPath(double focalPx, double middleX, double middleY, double headingX, double headingY,
                   double speedPxPerS, boolean turns, double slantX, double slantY, double swing,
                   double periodS) implements Trajectory {
-    /** Half the time over which the change of the map is taken. */
+    /** Half the time over which the rate of the map is measured, in s. */
     private static final double STEP_S = 1e-4;
 
     @Override
@@ -32,7 +33,7 @@ record CameraPath(double focalPx, double middleX, double middleY, double heading
         fill(timeS, map);
     }
 
-    /** Angle that the picture has gone on by since the middle of the time, in rad where the camera looks. */
+    /** Angle by which the picture has moved since the middle of the period, in rad at the point the camera looks at. */
     private double travelled(double timeS) {
         double sinceS = timeS - periodS / 2;
         double phase = 2 * Math.PI / periodS;
@@ -47,11 +48,11 @@ record CameraPath(double focalPx, double middleX, double middleY, double heading
         double fromY = turns ? 0 : -angle * headingY;
         double depth = 1 + slantX * fromX + slantY * fromY;
         for (int axis = 0; axis < 3; axis++) {
-            // the ray through (1, 0), (0, 1) and the corner of the sensor, in focal lengths
+            // one axis at a time: the ray through (1, 0), (0, 1) and the corner of the sensor, in focal lengths
             double u = (axis == 0 ? 1 : axis == 1 ? 0 : -middleX) / focalPx;
             double v = (axis == 1 ? 1 : axis == 0 ? 0 : -middleY) / focalPx;
             double ahead = axis == 2 ? 1 : 0;
-            // turned in the plane of the heading and the line of sight
+            // turn the ray in the plane of the heading and the line of sight
             double along = u * headingX + v * headingY;
             double turned = cos * along - sin * ahead;
             double x = u + (turned - along) * headingX;

@@ -4,8 +4,8 @@ import io.github.sofas.event.EventBatch;
 import java.util.Arrays;
 
 /**
- * Events with their truth on the way from the pixels to the reader: gathered in any order, released in order of time,
- * those of one time in the order in which they were gathered.
+ * Holds events and their truth on the way from the pixels to the reader. Events are gathered in any order and released
+ * in order of time; events of the same time keep the order in which they were gathered.
  */
 final class EventQueue {
     private static final int INDEX_BITS = 22;
@@ -20,11 +20,11 @@ final class EventQueue {
     private int[] object = new int[FIRST_CAPACITY];
     private long[] order = new long[FIRST_CAPACITY];
     private int gathered;
-    /** Of the sorted entries of order, the first that was not taken yet, and the end of those that may be. */
+    /** Among the sorted entries of order: the first that is not taken yet, and the end of the ready ones. */
     private int firstReady;
     private int endReady;
 
-    /** How many events wait, released or not. */
+    /** Number of events that wait, released or not. */
     int gathered() {
         return gathered;
     }
@@ -49,8 +49,8 @@ final class EventQueue {
     }
 
     /**
-     * Makes all events before a time ready. To be called only when none is ready, and when every event still to come is
-     * at that time or later.
+     * Makes all events before a time ready. May be called only when no event is ready, and when every event still to
+     * come is at that time or later.
      */
     void release(long untilUs) {
         int count = gathered;
@@ -76,7 +76,7 @@ final class EventQueue {
         endReady = ready;
     }
 
-    /** Moves ready events into the batch until it is full or none is left. */
+    /** Moves ready events into the batch until the batch is full or no ready event is left. */
     void drainTo(EventBatch batch, Truth truth) {
         int mask = (1 << INDEX_BITS) - 1;
         while (firstReady < endReady && !batch.isFull()) {

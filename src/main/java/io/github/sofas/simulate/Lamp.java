@@ -5,23 +5,23 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * A lamp that flickers: the log intensity of the pixels that it lights goes up and down as a sine. It lights a round
- * part of the picture, most in the middle, and each surface there as it is turned to it.
+ * A lamp that flickers over a still scene: the log intensity of the pixels that the lamp lights follows a sine. The
+ * lamp lights a round part of the picture, most in the middle, and each surface there according to its orientation.
  */
 final class Lamp {
     /** Twice the frequency of Europe's mains. */
     private static final double HZ = 100;
     private static final double LEAST_TURNED = 0.3;
-    /** Less does not matter to any pixel. */
+    /** Least swing of a lit pixel: a smaller one does not matter to any pixel. */
     private static final double LEAST_SWING = 0.01;
 
     private final int[] pixels;
     private final double[] swings;
 
     /**
-     * Makes one.
+     * Makes a lamp.
      *
-     * @param radiusPx where its light has fallen to 1 / e
+     * @param radiusPx distance at which the swing has fallen to 1 / e
      * @param swing greatest change of the log intensity from its mean
      */
     Lamp(SensorSize sensor, double midX, double midY, double radiusPx, double swing, Random random) {
@@ -44,17 +44,17 @@ final class Lamp {
         swings = Arrays.copyOf(swingOf, count);
     }
 
-    /** Time of one flicker in s. */
+    /** Period of the flicker in s. */
     static double periodS() {
         return 1 / HZ;
     }
 
-    /** The pixels that it lights. */
+    /** The pixels that the lamp lights. */
     int[] pixels() {
         return pixels;
     }
 
-    /** By how much the log intensity of the i-th of its pixels is above its mean. */
+    /** Log intensity of the i-th lit pixel, relative to its mean. */
     double logLight(int i, double timeS) {
         return swings[i] * StrictMath.sin(2 * Math.PI * HZ * timeS);
     }

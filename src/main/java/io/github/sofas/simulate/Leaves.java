@@ -3,13 +3,14 @@ package io.github.sofas.simulate;
 import java.util.Random;
 
 /**
- * Leaves of random grey that hide each other, of sizes with a density that falls with the third power, half of them
- * discs and half boxes (Lee, Mumford, Huang, "Occlusion models for natural images", International Journal of Computer
- * Vision, 2001). They have edges of every direction and length, and even patches between them.
+ * Paints a tile with leaves of random grey that hide each other. The density of their sizes falls with the third
+ * power; half of them are discs and half are boxes (Lee, Mumford, Huang, "Occlusion models for natural images",
+ * International Journal of Computer Vision, 2001). The leaves have edges of every direction and length, and even
+ * patches between the edges.
  */
 final class Leaves {
     private static final double LARGEST_LEAF = 14;
-    /** What is bare after so many leaves, in texels each, is a leaf of its own. */
+    /** At most one leaf falls per this number of texels. The area that is still bare then is a leaf of its own. */
     private static final int TEXELS_PER_LEAF = 8;
 
     private final int side;
@@ -23,9 +24,9 @@ final class Leaves {
     }
 
     /**
-     * {@return a tile of leaves, front to back: a leaf shows where none was before}
+     * {@return a tile of leaves, painted front to back: a leaf shows where no leaf was before}
      *
-     * @param smallest radius of the smallest leaves in texels; the largest have {@value #LARGEST_LEAF} times that
+     * @param smallest radius of the smallest leaves in texels; the largest are {@value #LARGEST_LEAF} times as large
      */
     static float[] tile(int side, double smallest, Random random) {
         Leaves leaves = new Leaves(side);
@@ -38,7 +39,7 @@ final class Leaves {
         double falls = 1 - smallest * smallest / (largest * largest);
         int bare = side * side;
         for (int count = 0; bare > 0 && count < side * side / TEXELS_PER_LEAF; count++) {
-            // The inverse of the distribution function of a density that falls with the third power.
+            // The inverse of the distribution function whose density falls with the third power.
             double radius = smallest / Math.sqrt(1 - random.nextDouble() * falls);
             double midX = side * random.nextDouble();
             double midY = side * random.nextDouble();
@@ -49,7 +50,7 @@ final class Leaves {
         }
     }
 
-    /** {@return how many texels it covers that were bare} */
+    /** {@return the number of bare texels that the leaf covers} */
     private int cover(Shape leaf, double midX, double midY, double turnedRad, float grey) {
         double cos = StrictMath.cos(turnedRad);
         double sin = StrictMath.sin(turnedRad);

@@ -1,7 +1,7 @@
 package io.github.sofas.simulate;
 
 /**
- * A bob, rigid with its rod, swinging about a pivot without loss.
+ * The path of a pendulum's bob, which is rigid with its rod and swings about a pivot without loss.
  *
  * <p>The motion is that of the full equation, theta'' = -(g / L) sin theta, not of its small-angle sinusoid. With
  * k = sin(thetaMax / 2) and w = sqrt(g / L) its solution from rest at -thetaMax is sin(theta / 2) = k sn(w t - K) and
@@ -30,7 +30,7 @@ final class Pendulum implements Trajectory {
     private final double[] c = new double[AGM_STEPS + 1];
 
     /**
-     * Makes one.
+     * Makes a pendulum.
      *
      * @param lowestX column of the bob's centre at the lowest point of its swing
      * @param turnedRad angle by which the whole picture is turned; at 0 gravity points down
@@ -57,7 +57,7 @@ final class Pendulum implements Trajectory {
         return Math.sqrt(2 * GRAVITY_M_PER_S2 * LENGTH_M * (1 - StrictMath.cos(MAX_ANGLE_RAD)));
     }
 
-    /** Time of a whole swing there and back, in s. */
+    /** Period of a whole swing, there and back, in s. */
     double periodS() {
         return 4 * quarterPeriod() / w;
     }

@@ -3,9 +3,12 @@ package io.github.sofas.simulate;
 import java.util.Arrays;
 import java.util.Random;
 
-/** The pixels of the camera: what each remembers, and when a change of light makes it fire. */
+/**
+ * The pixels of the camera. The array keeps the log intensity that each pixel remembers, and determines when a change
+ * of light makes a pixel fire.
+ */
 final class PixelArray {
-    /** Told of each event at the moment its threshold is crossed, before any latency. */
+    /** Receives each event at the moment at which the threshold is crossed, before any latency. */
     interface Crossing {
         void crossed(int pixel, double timeUs, int polarity);
     }
@@ -18,9 +21,9 @@ final class PixelArray {
     private final double[] offThreshold;
     /** Log intensity now. */
     private final double[] logLight;
-    /** Log intensity that the pixel compares with. */
+    /** Log intensity that the pixel compares the light with. */
     private final double[] remembered;
-    /** When the pixel sees again after an event and remembers the light; {@link #NOT_BLIND} where it sees now. */
+    /** When the pixel sees again after an event and remembers the light; {@link #NOT_BLIND} if the pixel sees now. */
     private final double[] blindUntilUs;
 
     PixelArray(int pixels, DvsModel model, Random random) {
@@ -41,7 +44,7 @@ final class PixelArray {
         return thresholds;
     }
 
-    /** Lets every pixel see and remember the given light, without an event. */
+    /** Makes every pixel see and remember the given light, without an event. */
     void restart(double[] light) {
         for (int i = 0; i < light.length; i++) {
             logLight[i] = StrictMath.log(light[i]);
@@ -69,13 +72,13 @@ final class PixelArray {
                 blindUntilUs[pixel] = blindUs;
                 return;
             }
-            // Without refractory time exactly the level, so that no rounding piles up.
+            // Without refractory time, take exactly the level, so that no rounding error accumulates.
             remembered[pixel] = refractoryUs == 0 ? level : start + perUs * (blindUs - fromUs);
             level = remembered[pixel] + step;
         }
     }
 
-    /** An event that the light did not cause: false where the pixel is blind; otherwise it is blind from now. */
+    /** Fires an event that the light did not cause, and makes the pixel blind; false if it is blind already. */
     boolean fireUnprompted(int pixel, double timeUs) {
         if (blindUntilUs[pixel] > timeUs) {
             return false;

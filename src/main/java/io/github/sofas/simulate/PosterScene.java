@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * A poster of plain shapes before a camera that is held by hand. The shapes are one body in many pieces, none of which
- * shows by itself that it turns or grows; they are drawn by chance, one in each square of the poster.
+ * Composes a poster of plain shapes before a hand-held camera. The shapes are one body in many pieces, and no piece
+ * shows by itself that the body turns or grows. The shapes are drawn at random, one in each square of the poster.
  */
 final class PosterScene {
     private static final double SQUARE_PX = 55;
-    /** Farthest that a shape lies from the middle of its square along either side, as a share of that side. */
+    /** Greatest distance of a shape from the middle of its square along either side, as a share of that side. */
     private static final double OFF_MIDDLE = 0.2;
-    /** From the middle to a corner of the smallest and of the largest shape, in px. */
+    /** Distance from the middle to a corner of the smallest and of the largest shape, in px. */
     private static final double SMALLEST_PX = 6;
     private static final double LARGEST_PX = 18;
-    /** Turning and growth, as a share of those of a textured wall before such a camera. */
+    /** Turning and growth, as a share of the turning and growth of a textured wall before such a camera. */
     private static final double TURNING = 0.25;
     private static final int BODY = 1;
 
@@ -40,7 +40,7 @@ final class PosterScene {
         return new World(shapes, durationS);
     }
 
-    /** Where a shape in a square lies along one side of the poster, from its middle, in px. */
+    /** Position of a shape in a square along one side of the poster, from the middle of the poster, in px. */
     private static double place(int square, int across, Random random) {
         return (square - (across - 1) / 2.0 + 2 * OFF_MIDDLE * (random.nextDouble() - 0.5)) * SQUARE_PX;
     }

@@ -12,9 +12,10 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Two to eight opaque shapes drawn by chance: size 8 to 32 px from middle to corner, outline, grey, texture, speed 20
- * to 200 px/s, direction, depth; a third turns, a quarter turns back or stops. The background is plain, or rests with
- * a texture, or moves with one. What is drawn depends on the seed alone; other options scale it.
+ * Composes a scene of two to eight opaque shapes drawn at random: size (8 to 32 px from middle to corner), outline,
+ * grey, texture, speed (20 to 200 px/s), direction and depth. A third of the shapes turn; a quarter turn back or stop.
+ * The background is plain, or rests with a texture, or moves with a texture. The random choices depend on the seed
+ * alone; other options scale the result.
  */
 final class RandomScene {
     private static final double DURATION_S = 2.5;
@@ -51,18 +52,22 @@ final class RandomScene {
         return new World(objects, durationS);
     }
 
-    /** Logarithm of the background's light over an object's, drawn by chance: a third of the objects are brighter. */
+    /**
+     * Logarithm of the background's light over an object's, as a factor of the usual contrast, drawn at random: a third
+     * of the objects are brighter.
+     */
     static double contrast(Random random) {
         return (0.6 + 1.2 * random.nextDouble()) * (random.nextInt(3) == 0 ? -1 : 1);
     }
 
     private static MovingObject object(int id, SimulationOptions options, double durationS, Random random) {
         Shape shape = shape((8 + 24 * random.nextDouble()) * options.scale(), random);
-        // Equally many in each octave of speed.
+        // Each octave of speed has equally many objects.
         double speed = SLOWEST_PX_PER_S
             * StrictMath.pow(FASTEST_PX_PER_S / SLOWEST_PX_PER_S, random.nextDouble());
         double directionRad = 2 * Math.PI * random.nextDouble();
-        // Where and when it is seen for certain: so fast ones come in and leave, each at its own time.
+        // A place and time at which the object is certain to be seen. Fast objects thus enter and leave, each at its
+        // own time.
         double atX = Scenes.centreX(options) * (0.3 + 1.4 * random.nextDouble());
         double atY = Scenes.centreY(options) * (0.3 + 1.4 * random.nextDouble());
         double atS = durationS * (0.2 + 0.6 * random.nextDouble());
@@ -79,7 +84,7 @@ final class RandomScene {
         return new MovingObject(id, shape, trajectory, Scenes.dark(options, contrast), texture);
     }
 
-    /** An outline drawn by chance, of so many px from middle to corner. */
+    /** Draws an outline at random, with the given distance from middle to corner in px. */
     static Shape shape(double radius, Random random) {
         double aspect = 0.35 + 0.65 * random.nextDouble();
         switch (random.nextInt(4)) {

@@ -4,21 +4,21 @@ import io.github.sofas.event.SensorSize;
 import java.util.List;
 
 /**
- * The light on each pixel, antialiased and slightly blurred.
+ * Computes the light on each pixel, antialiased and slightly blurred, and finds the object that caused an event.
  *
- * <p>An object covers a pixel by a smooth function of the signed distance d from the pixel's centre to its outline:
- * 1/2 - 3/4 u + 1/4 u³ with u = d / reach, 1 inside and 0 outside. That is a straight edge seen through an
- * Epanechnikov kernel of standard deviation reach / sqrt 5. As coverage is exactly 0 or 1 beyond the reach, only pixels
- * near an outline can change, and those that show a texture that moves; a quadtree over the sensor finds them. Inside
- * its outline a texture is drawn whenever it has moved by a step of its own, however fast other objects are.
+ * <p>An object covers a pixel by a smooth function of the signed distance d from the pixel's centre to the outline:
+ * 1/2 - 3/4 u + 1/4 u³ with u = d / reach, 1 inside and 0 outside. This is a straight edge seen through an
+ * Epanechnikov kernel of standard deviation reach / sqrt 5. Coverage is exactly 0 or 1 beyond the reach, so only pixels
+ * near an outline, or pixels that show a moving texture, can change. A quadtree over the sensor finds these pixels.
+ * Inside its outline, a texture is drawn whenever it has moved by a step of its own, however fast other objects are.
  */
 final class Renderer {
-    /** Told of the light of each pixel that may have changed. */
+    /** Receives the light of each pixel that may have changed. */
     interface Visitor {
-        /** The pixel is near the outline of at least one of some objects. */
+        /** Visits a pixel near the outline of at least one of the given objects. */
         void light(int pixel, int x, int y, long objects, double light);
 
-        /** The pixel shows nothing but the texture of one object. */
+        /** Visits a pixel that shows nothing but the texture of one object. */
         void texture(int pixel, int x, int y, int object, double logLight);
     }
 
@@ -40,14 +40,14 @@ final class Renderer {
     private long step;
 
     /**
-     * Makes one.
+     * Makes a renderer.
      *
-     * @param objects front to back
+     * @param objects the objects, front to back
      * @param background light of each pixel where no object is
      * @param blurPx standard deviation of the blur in px
-     * @param stepPx the farthest that any point moves between two times
-     * @param stepsPerDrawing of each textured object, in how many steps its fastest point moves as far; 0 of those that
-     *     rest or have no texture
+     * @param stepPx greatest distance that any point moves between two times, in px
+     * @param stepsPerDrawing for each textured object, the number of steps in which its fastest point moves by that
+     *     distance; 0 for objects that rest or have no texture
      */
     Renderer(SensorSize sensor, List<MovingObject> objects, double[] background, double blurPx, double stepPx,
              int[] stepsPerDrawing) {
@@ -76,7 +76,7 @@ final class Renderer {
         return poses;
     }
 
-    /** Goes on to another time; the poses of the last one are kept for {@link #cause}. */
+    /** Moves all objects to another time; {@link #cause} uses the poses of the last time. */
     void moveTo(double timeS) {
         Pose[] swap = before;
         before = now;
@@ -87,7 +87,7 @@ final class Renderer {
         }
     }
 
-    /** The light of every pixel at the time moved to. */
+    /** Computes the light of every pixel at the current time. */
     void renderAll(double[] light) {
         for (int y = 0, pixel = 0; y < height; y++) {
             for (int x = 0; x < width; x++, pixel++) {
@@ -96,7 +96,7 @@ final class Renderer {
         }
     }
 
-    /** Visits every pixel whose light can have changed in the last step. */
+    /** Visits every pixel whose light may have changed in the last step. */
     void visitChanging(Visitor visitor) {
         if (objects.length == 0) {
             return;
@@ -210,12 +210,12 @@ final class Renderer {
     }
 
     /**
-     * Which object changed a pixel's light in the last step: the one whose change of coverage, and of its own light
-     * there, moved the light most in the direction of the event, seen through what is before it and against what is
-     * behind it; the topmost of equals.
+     * Finds the object that changed a pixel's light in the last step. This is the object that moved the light most in
+     * the direction of the event, by the change of its coverage and of its own light there. Objects in front of it and
+     * the light behind it are taken into account. Among equals, the topmost object wins.
      *
      * @param candidates the objects that {@link Visitor#light} was given for the pixel
-     * @return its index, front to back
+     * @return the index of the object, front to back
      */
     int cause(int pixel, int x, int y, long candidates, int polarity) {
         double behind = background[pixel];

@@ -5,7 +5,10 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** What can be filmed. Sizes, speeds and durations named here are for the default options. */
+/**
+ * The scenes that can be filmed. Each scene composes its objects for the given options; the sizes, speeds and durations
+ * named here are those of the default options.
+ */
 public enum Scene {
     /** The paper's collection of rectangles. */
     RECTANGLES("rectangles", "four rectangles, together 120 px wide, moving as one at 58 px/s", Scenes::rectangles),
@@ -22,31 +25,31 @@ public enum Scene {
     SHORT_BAR("short-bar", "a bar of 60 x 8 px turning about its centre once a second", Scenes::shortBar),
     /** The paper's long rotating bar. */
     LONG_BAR("long-bar", "a bar longer than the frame turning about its centre once a second", Scenes::longBar),
-    /** Two that pass beside each other. */
+    /** Two objects that pass beside each other. */
     TWO_OPPOSITE("two-opposite", "a hexagon and a circle passing beside each other in opposite directions",
             Scenes::twoOpposite),
-    /** Three whose paths meet. */
+    /** Three objects whose paths meet. */
     THREE_CROSSING("three-crossing", "a hexagon, a circle and a square that cross in the middle, hiding each other",
             Scenes::threeCrossing),
     /** A pan past bars at four depths. */
     FOUR_BARS("four-bars", "four long bars at different depths in a camera pan, nearer ones overtake and hide others",
             Scenes::fourBars),
-    /** One is hidden for a while. */
+    /** An object that is hidden for a while. */
     PASSING_BEHIND("passing-behind", "a circle that passes behind a slower rectangle and is hidden for a while",
             Scenes::passingBehind),
-    /** Another pair for each seed. */
+    /** Two shapes that touch and part, another pair for each seed. */
     SIDE_BY_SIDE("side-by-side", "two shapes that touch and part slowly, another pair for each seed",
             SideBySide::compose),
     /** Three creatures. */
     THREE_WANDERING("three-wandering", "three long bodies that wander at random, turn and reverse, for 6 s",
             Scenes::threeWandering),
-    /** A pendulum's path without its turning. */
+    /** The pendulum's path without its turning. */
     SWINGING_BALL("swinging-ball", "a ball on the pendulum's path that does not turn, for two swings",
             Scenes::swingingBall),
-    /** Wanderers' paths without their turning. */
+    /** The wanderers' paths without their turning. */
     WANDERING_DISCS("wandering-discs", "three discs that wander at random and reverse but do not turn, for 6 s",
             Scenes::wanderingDiscs),
-    /** Many at once. */
+    /** Many objects at once. */
     SIXTEEN("sixteen", "sixteen small shapes in four rows that pass each other", Scenes::sixteen),
     /** A camera that pans past a wall. */
     TEXTURED_PAN("textured-pan", "a textured wall sliding past at 120 px/s", TexturedScenes::pan),
@@ -58,10 +61,10 @@ public enum Scene {
     /** A camera held by hand. */
     TEXTURED_HAND("textured-hand", "a textured wall sliding, turning and growing at once, each at a changing rate",
             TexturedScenes::hand),
-    /** A camera that turns, with a lens as wide as most. */
+    /** A camera that turns, with a lens as wide as most lenses. */
     TEXTURED_TURN("textured-turn", "a textured wall before a camera with a lens of 60 degrees that turns by 40",
             TexturedScenes::turn),
-    /** A wall that goes back. */
+    /** A wall that recedes from the camera. */
     TEXTURED_SLANT("textured-slant", "a textured wall seen at a slant of 30 degrees, before a camera that slides past",
             TexturedScenes::slant),
     /** Plain shapes before a camera held by hand. */
@@ -70,7 +73,7 @@ public enum Scene {
     /** Time to contact. */
     COMING_NEAR("coming-near", "a plain shape that comes near: its size grows from 0.45 to 1.6 in 2.8 s",
             TexturedScenes::comingNear),
-    /** A plain shape that shrinks away from the camera, the way back of {@link #COMING_NEAR}. */
+    /** A plain shape that moves away from the camera: {@link #COMING_NEAR} backwards. */
     GOING_AWAY("going-away", "a plain shape that goes away: its size falls from 1.6 to 0.45 in 2.8 s",
             TexturedScenes::goingAway),
     /** Movers before a moving background. */
@@ -78,7 +81,7 @@ public enum Scene {
             TexturedScenes::movers),
     /** Light without motion. */
     FLICKER("flicker", "a lamp that flickers at 100 Hz over a still textured scene, for 2 s", TexturedScenes::flicker),
-    /** Another one for each seed. */
+    /** Random shapes, another arrangement for each seed. */
     RANDOM("random", "2 to 8 random shapes for 2.5 s, another arrangement for each seed", RandomScene::compose),
     /** Nothing at all. */
     NOISE("noise", "nothing but the sensor's own noise, for 5 s", Scenes::noise);
@@ -93,18 +96,18 @@ public enum Scene {
         this.composer = composer;
     }
 
-    /** {@return the name that users call it by, lower case with hyphens} */
+    /** {@return the name of the scene for users, in lower case with hyphens} */
     public String sceneName() {
         return sceneName;
     }
 
-    /** {@return what is seen, in one line} */
+    /** {@return a description of the scene, in one line} */
     public String description() {
         return description;
     }
 
     /**
-     * {@return the scene of a name, if there is one}
+     * {@return the scene with a name, if there is one}
      *
      * @param name in lower case with hyphens
      */
@@ -118,9 +121,9 @@ public enum Scene {
     }
 
     /**
-     * {@return how long the film is with these options, in µs}
+     * {@return the duration of the film with these options, in µs}
      *
-     * @param options how it is filmed
+     * @param options how the scene is filmed
      */
     public long durationUs(SimulationOptions options) {
         return Math.max(1, Math.round(compose(options).durationS() * 1e6));

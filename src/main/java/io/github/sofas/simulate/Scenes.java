@@ -13,9 +13,12 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.IntFunction;
 
-/** Arranges the objects of each scene for a sensor of any size. */
+/**
+ * Composes the scenes of plain objects: arranges the objects of each scene for a sensor of any size, with the speed,
+ * direction and duration of the options.
+ */
 final class Scenes {
-    /** The paper's speed for its four shapes, in px/s. */
+    /** The paper's speed of its four shapes, in px/s. */
     static final double PAPER_SPEED_PX_PER_S = 58;
 
     /** Room left between an object and the sensor's border, so that blurred edges stay visible, in px. */
@@ -50,9 +53,9 @@ final class Scenes {
     }
 
     /**
-     * One object through the sensor's centre, inside the sensor from first to last: the whole path, but no more than
-     * five seconds or, where it is slow, 120 px. A shape too large to travel its own width's quarter inside comes in
-     * and leaves: its centre crosses the sensor.
+     * Moves one object through the sensor's centre, inside the sensor from first to last. The film covers the whole
+     * path, but no more than five seconds or, for a slow object, 120 px. A shape too large to travel a quarter of its
+     * own width inside the sensor enters and leaves instead: its centre crosses the sensor.
      */
     private static World oneShape(SimulationOptions options, Shape shape) {
         double speed = speed(options, PAPER_SPEED_PX_PER_S);
@@ -67,8 +70,8 @@ final class Scenes {
     }
 
     /**
-     * The bob alone: its rod is as light as the background. The swing fills the sensor's width unless the field of view
-     * or the peak speed says otherwise.
+     * Shows the bob alone: its rod is as light as the background. The swing fills the sensor's width unless the options
+     * give a field of view or a peak speed.
      */
     static World pendulum(SimulationOptions options) {
         double bobRadius = 15 * options.scale();
@@ -88,7 +91,7 @@ final class Scenes {
                 duration(options, 2 * trajectory.periodS()));
     }
 
-    /** The pendulum's path; what turns with the path there keeps its angle here. */
+    /** Moves the bob along the pendulum's path, but at a constant angle: it does not turn with the rod. */
     static World swingingBall(SimulationOptions options) {
         return notTurning(pendulum(options));
     }
@@ -133,7 +136,7 @@ final class Scenes {
                         dark(options, 1.2))), durationS);
     }
 
-    /** Three directions 120 degrees apart; all are near the centre in the middle of the film. */
+    /** Moves three objects in directions 120 degrees apart; all are near the centre in the middle of the film. */
     static World threeCrossing(SimulationOptions options) {
         double k = options.scale();
         Shape[] shapes = {new RegularPolygon(6, 22 * k), new Disc(19 * k), new RegularPolygon(4, 24 * k)};
@@ -158,9 +161,10 @@ final class Scenes {
     }
 
     /**
-     * Speed and width fall with depth. In terms of the path E across the sensor and the nearest bar's speed v, it
-     * overtakes the others at 0.50, 0.60 and 0.69 E / v and leaves soon after 0.9; the second overtakes at 0.77 and
-     * 0.89, the third at 1.07; the film ends at 1.2. A pan that turns round goes 0.9 E and comes back.
+     * Moves four bars whose speed and width fall with depth. Let E be the path across the sensor and v the nearest
+     * bar's speed. In units of E / v, the nearest bar overtakes the others at 0.50, 0.60 and 0.69 and leaves soon after
+     * 0.9. The second bar overtakes at 0.77 and 0.89, the third at 1.07, and the film ends at 1.2. A pan that turns
+     * round goes 0.9 E and comes back.
      */
     static World fourBars(SimulationOptions options) {
         double[] nearness = {1, 0.62, 0.4, 0.25};
@@ -186,7 +190,7 @@ final class Scenes {
         return new World(objects, durationS);
     }
 
-    /** The first object is the one that is hidden, for (60 - 36) px at the two objects' relative speed. */
+    /** Hides object 1, the disc, behind the screen for (60 - 36) px of travel at the relative speed of the two. */
     static World passingBehind(SimulationOptions options) {
         double k = options.scale();
         Shape disc = new Disc(18 * k);
@@ -235,8 +239,9 @@ final class Scenes {
     }
 
     /**
-     * Four rows, neighbours in opposite directions; in a row the speeds grow by a tenth from object to object, so that
-     * the first runs ahead of those behind it. The grid is fitted to the sensor at any direction.
+     * Moves four rows of four objects, neighbouring rows in opposite directions. In a row, the speeds grow by a tenth
+     * from object to object, so that the leading object pulls away from those behind it. The grid fits the sensor in
+     * any direction.
      */
     static World sixteen(SimulationOptions options) {
         double k = options.scale();
@@ -271,27 +276,27 @@ final class Scenes {
         return new World(List.of(), duration(options, NOISE_S));
     }
 
-    /** The speed asked for, or the scene's own. */
+    /** The requested speed, or the scene's own, in px/s. */
     static double speed(SimulationOptions options, double ownPxPerS) {
         return options.speedPxPerS() == 0 ? ownPxPerS : options.speedPxPerS();
     }
 
-    /** Draws what a scene is made of: another one for each seed, also where seeds follow each other. */
+    /** Random numbers that determine a scene's contents: different for each seed, even for consecutive seeds. */
     static Random random(SimulationOptions options) {
         return new Random(options.seed() * 0x9E3779B97F4A7C15L + 1);
     }
 
-    /** The duration asked for, or the scene's own, in s. */
+    /** The requested duration, or the scene's own, in s. */
     static double duration(SimulationOptions options, double ownS) {
         return options.durationUs() == 0 ? ownS : options.durationUs() * 1e-6;
     }
 
-    /** Light of an object whose contrast is the option's times a factor; a negative factor makes it bright. */
+    /** Light of an object whose contrast is the option's times a factor; a negative factor makes the object bright. */
     static double dark(SimulationOptions options, double factor) {
         return StrictMath.exp(-options.contrast() * factor);
     }
 
-    /** The direction along which a scene moves, as the first of two axes that turn with it. */
+    /** The direction along which a scene moves: the first of two axes, along and across, that turn with it. */
     static final class Heading {
         final double angleRad;
         private final double cos;
@@ -307,7 +312,7 @@ final class Scenes {
             sin = StrictMath.sin(angleRad);
         }
 
-        /** How far to the right something is that lies along and across the direction. */
+        /** Distance to the right of a point that lies at distances along and across the direction. */
         double x(double along, double across) {
             return along * cos - across * sin;
         }
@@ -318,7 +323,7 @@ final class Scenes {
     }
 
     /**
-     * A straight path that is, in the middle of the film, at the given place along and across the heading from the
+     * A straight path that passes, in the middle of the film, the given place along and across the heading from the
      * sensor's centre.
      */
     private static Straight through(SimulationOptions options, Heading heading, double along, double across,
@@ -335,16 +340,17 @@ final class Scenes {
         return (options.sensor().height() - 1) / 2.0;
     }
 
-    /** The longest time that an upright shape moving through the centre stays inside the sensor. */
+    /** Longest time for which an upright shape that moves through the centre stays inside the sensor, in s. */
     private static double alongS(SimulationOptions options, Shape shape, double speedPxPerS) {
         return insideS(options, shape, 0, new Heading(options), 0, speedPxPerS);
     }
 
     /**
-     * The longest time, symmetric about its middle, that a path stays inside the sensor; 0 where it is never.
+     * Longest time, symmetric about its middle, for which a shape on a path stays inside the sensor, in s; 0 if it
+     * never is inside.
      *
      * @param angleRad angle by which the shape is turned
-     * @param across how far beside the sensor's centre the path passes
+     * @param across distance at which the path passes the sensor's centre, in px
      */
     private static double insideS(SimulationOptions options, Shape shape, double angleRad, Heading heading,
                                   double across, double speedPxPerS) {
@@ -352,7 +358,7 @@ final class Scenes {
         double roomY = centreY(options) - BORDER_PX - shape.reachDown(angleRad) - Math.abs(heading.y(0, across));
         double vx = Math.abs(heading.x(speedPxPerS, 0));
         double vy = Math.abs(heading.y(speedPxPerS, 0));
-        // A direction of 90 degrees has a rest of 1e-16 of its speed along the other axis.
+        // A direction of 90 degrees leaves a remainder of 1e-16 of the speed along the other axis.
         double negligible = 1e-9 * Math.abs(speedPxPerS);
         double seconds = vx > negligible ? 2 * roomX / vx : Double.POSITIVE_INFINITY;
         return Math.max(0, vy > negligible ? Math.min(seconds, 2 * roomY / vy) : seconds);

@@ -3,27 +3,27 @@ package io.github.sofas.simulate;
 /**
  * The outline of an object in its own axes, as a signed distance.
  *
- * <p>A shape is at rest and without grey level or texture; {@link Trajectory} places it and
+ * <p>A shape is at rest and has no grey level and no texture. A {@link Trajectory} places it, and a
  * {@link MovingObject} paints it.
  */
 interface Shape {
     /**
-     * Distance from a point to the outline in px, negative inside. Its magnitude is never more than the true distance.
+     * Distance from a point to the outline in px, negative inside. The magnitude never exceeds the true distance.
      */
     double signedDistance(double x, double y);
 
-    /** Radius of a circle round the origin that holds the shape, in px. */
+    /** Radius of a circle around the origin that contains the shape, in px. */
     double radius();
 
-    /** Half of the shape's width after turning by the angle: the farthest that it reaches to the right or left. */
+    /** Greatest reach to the right or left of the shape turned by the angle, which is half of its width. */
     double reachRight(double angleRad);
 
-    /** The farthest that it reaches up or down after turning by the angle. */
+    /** Greatest reach up or down of the shape turned by the angle. */
     default double reachDown(double angleRad) {
         return reachRight(angleRad - Math.PI / 2);
     }
 
-    /** All there is: what lies behind everything. */
+    /** The whole plane, for a wall behind all other objects. */
     record Everywhere() implements Shape {
         @Override
         public double signedDistance(double x, double y) {
@@ -41,7 +41,7 @@ interface Shape {
         }
     }
 
-    /** A disc round the origin. */
+    /** A disc around the origin. */
     record Disc(double radius) implements Shape {
         @Override
         public double signedDistance(double x, double y) {
@@ -81,7 +81,7 @@ interface Shape {
         }
     }
 
-    /** A body with round ends along the x axis: all points within a radius of a line through the origin. */
+    /** A body with round ends along the x axis: all points within a radius of a line segment through the origin. */
     record Capsule(double length, double width) implements Shape {
         @Override
         public double signedDistance(double x, double y) {
@@ -102,10 +102,10 @@ interface Shape {
     }
 
     /**
-     * A polygon with equal sides round the origin, its first corner on the x axis.
+     * A regular polygon around the origin, its first corner on the x axis.
      *
-     * <p>The distance is that of one sector: the point is turned into the sector of the nearest side, where the side
-     * stands upright at the inner radius.
+     * <p>The distance is computed in one sector: the point is turned into the sector of the nearest side, where that
+     * side is upright at the inner radius.
      */
     final class RegularPolygon implements Shape {
         private final int corners;

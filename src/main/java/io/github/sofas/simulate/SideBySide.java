@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Two shapes that about touch in the middle of the film, and move almost alike: at velocities 10 to 40 px/s apart, in
- * any direction. Some rotation and growth would explain both. Discs and squares of 12 to 24 px from the middle to the
- * edge, plain or textured, drawn by the seed.
+ * Composes two shapes that about touch in the middle of the film and move almost alike: their velocities differ by 10
+ * to 40 px/s, in any direction. Some rotation and growth of a single body would explain both motions. The shapes are
+ * discs and squares of 12 to 24 px from the middle to the edge, plain or textured, drawn by the seed.
  */
 final class SideBySide {
     private static final double DURATION_S = 1.6;

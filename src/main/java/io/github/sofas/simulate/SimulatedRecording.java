@@ -6,25 +6,25 @@ import io.github.sofas.event.SensorSize;
 import java.util.Arrays;
 
 /**
- * A filmed scene, whole in memory: its events in order of time, each with its truth, in parallel arrays of exactly
- * {@link #size()} entries.
+ * A whole filmed scene in memory: its events in order of time, each with its truth. The events are in parallel arrays
+ * of exactly {@link #size()} entries.
  */
 public final class SimulatedRecording {
     private static final int BATCH = 8192;
 
-    /** Time of each event in µs, never falling. */
+    /** Time of each event in µs, never decreasing. */
     public final long[] timeUs;
     /** Column of each event. */
     public final short[] x;
     /** Row of each event. */
     public final short[] y;
-    /** +1 ON, -1 OFF. */
+    /** Polarity of each event: +1 ON, -1 OFF. */
     public final byte[] polarity;
     /** True velocity to the right in px/s; 0 for noise. */
     public final float[] vxPxPerS;
     /** True velocity downwards in px/s; 0 for noise. */
     public final float[] vyPxPerS;
-    /** Which object caused the event, from 1; 0 for noise. */
+    /** Number of the object that caused the event, from 1; 0 for noise. */
     public final int[] object;
 
     private final SensorSize sensor;
@@ -76,10 +76,10 @@ public final class SimulatedRecording {
     }
 
     /**
-     * Films a scene once and keeps it.
+     * Films a scene once and keeps the film.
      *
-     * @param scene what is filmed
-     * @param options how it is filmed
+     * @param scene the scene
+     * @param options how the scene is filmed
      * @return the recording
      */
     public static SimulatedRecording of(Scene scene, SimulationOptions options) {
@@ -95,12 +95,12 @@ public final class SimulatedRecording {
         return sensor;
     }
 
-    /** {@return how long the scene was filmed, in µs; latency can put the last events a little later} */
+    /** {@return the duration of the film in µs; latency can put the last events a little later} */
     public long durationUs() {
         return durationUs;
     }
 
-    /** {@return how many objects the scene has} */
+    /** {@return the number of objects in the scene} */
     public int objects() {
         return objects;
     }
@@ -110,7 +110,7 @@ public final class SimulatedRecording {
         return timeUs.length;
     }
 
-    /** {@return the events from first to last, as often as asked for} */
+    /** {@return a new source of the events from first to last} */
     public EventSource source() {
         return new Replay();
     }

@@ -7,15 +7,16 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * A scene as an event source: films it step by step while it is read, so that even an endless one needs little memory.
+ * A scene as an event source. The scene is filmed step by step while the source is read, so that even an endless film
+ * needs little memory.
  *
- * <p>Each pixel's log intensity moves linearly from one time step to the next, so that events have times between the
- * steps. A step is as long as the fastest point needs for a quarter pixel, at most 10 ms. The truth of an event is the
- * object that caused it and the velocity, at the moment of the event and before its latency, of that object's point at
- * the pixel's centre.
+ * <p>Each pixel's log intensity changes linearly from one time step to the next, so that events have times between the
+ * steps. A step is as long as the fastest point needs for a quarter pixel, but at most 10 ms. The truth of an event is
+ * the object that caused it, and the velocity of that object's point at the pixel's centre. The velocity is that at the
+ * moment of the event, before its latency.
  */
 public final class SimulatedSource implements EventSource {
-    /** The farthest that anything moves within one time step, in px. */
+    /** Greatest distance that anything moves within one time step, in px. */
     static final double STEP_PX = 0.25;
 
     private static final double LONGEST_STEP_US = 10_000;
@@ -30,7 +31,7 @@ public final class SimulatedSource implements EventSource {
     private final long passes;
     private final long durationUs;
     private final double stepUs;
-    /** How long before now an event may be that is not found yet: a texture is drawn less often than once a step. */
+    /** An event may be found as late as this after its time, in µs, because a texture is not drawn in every step. */
     private final double longestDrawingUs;
 
     private final Renderer renderer;
@@ -38,7 +39,7 @@ public final class SimulatedSource implements EventSource {
     private final double[] light;
     private final long textured;
     private final double[] startLight;
-    /** When each pixel's light was drawn last, of pixels that textures are near. */
+    /** When each pixel's light was last drawn, for pixels near textures. */
     private final double[] drawnUs;
     private final long[] lastOutUs;
     private final int[] hotPixels;
@@ -63,21 +64,21 @@ public final class SimulatedSource implements EventSource {
     /**
      * Films a scene once.
      *
-     * @param scene what is filmed
-     * @param options how it is filmed
+     * @param scene the scene
+     * @param options how the scene is filmed
      */
     public SimulatedSource(Scene scene, SimulationOptions options) {
         this(scene, options, 1);
     }
 
     /**
-     * Films a scene several times over, each pass following the one before in time. The objects jump back between two
-     * passes without an event; noise goes on.
+     * Films a scene several times, each pass after the previous one in time. Between two passes, the objects jump back
+     * without an event, and noise continues.
      *
-     * @param scene what is filmed
-     * @param options how it is filmed
-     * @param passes how often, at least 1; Long.MAX_VALUE for a source without end
-     * @throws IllegalArgumentException where that is less
+     * @param scene the scene
+     * @param options how the scene is filmed
+     * @param passes number of passes, at least 1; Long.MAX_VALUE for a source without end
+     * @throws IllegalArgumentException if there are fewer passes
      */
     public SimulatedSource(Scene scene, SimulationOptions options, long passes) {
         this(scene.compose(options), options, passes);
@@ -132,11 +133,11 @@ public final class SimulatedSource implements EventSource {
         }
         double diagonal = Math.sqrt((double) sensor.width() * sensor.width()
                 + (double) sensor.height() * sensor.height());
-        // No visible point is farther from its object's origin than the object reaches or the sensor is wide.
+        // No visible point is farther from its object's origin than the object's reach or the sensor's diagonal.
         return trajectory.maxSpeedPxPerS(Math.min(radius, diagonal));
     }
 
-    /** Slid, turned, grown or seen by a camera that turns, the picture moves fastest in one of its corners. */
+    /** Greatest speed of a picture that slides, turns, grows or follows a turning camera: it occurs in a corner. */
     private double maxSpeedInCorners(Trajectory trajectory) {
         double fastest = 0;
         Pose pose = new Pose();
@@ -151,7 +152,7 @@ public final class SimulatedSource implements EventSource {
         return fastest;
     }
 
-    /** In how many steps each textured object moves as far as it may between two drawings; 0 where it never moves. */
+    /** Number of steps in which each textured object moves as far as it may between two drawings; 0 if it rests. */
     private int[] stepsPerDrawing() {
         return world.objects().stream().mapToInt(object -> {
             double speed = object.texture() == null ? 0 : maxSpeedPxPerS(object);
@@ -159,7 +160,7 @@ public final class SimulatedSource implements EventSource {
         }).toArray();
     }
 
-    /** Value noise: normally distributed values every few pixels, joined smoothly. */
+    /** Light of the background as value noise: normally distributed values every few pixels, joined smoothly. */
     private double[] background(double texture, Random random) {
         int width = sensor.width();
         int height = sensor.height();
@@ -202,12 +203,12 @@ public final class SimulatedSource implements EventSource {
         return sensor;
     }
 
-    /** {@return how long one pass is, in µs} */
+    /** {@return the duration of one pass in µs} */
     public long durationUs() {
         return durationUs;
     }
 
-    /** {@return how many objects the scene has; the truth numbers them from 1} */
+    /** {@return the number of objects in the scene; the truth numbers them from 1} */
     public int objects() {
         return (int) world.objects().stream().mapToInt(MovingObject::id).distinct().count();
     }
@@ -218,12 +219,12 @@ public final class SimulatedSource implements EventSource {
     }
 
     /**
-     * Clears the batch and fills it, with the truth of each event beside it.
+     * Clears the batch and fills it with events, and the truth with the truth of each event.
      *
-     * @param batch gets the events
-     * @param truth at least as large as the batch, or null where it does not matter
+     * @param batch receives the events
+     * @param truth at least as large as the batch, or null if it is not needed
      * @return false at the end, with the batch left empty
-     * @throws IllegalArgumentException where the truth is smaller than the batch
+     * @throws IllegalArgumentException if the truth is smaller than the batch
      */
     public boolean next(EventBatch batch, Truth truth) {
         if (truth != null && truth.capacity() < batch.capacity()) {
@@ -245,7 +246,7 @@ public final class SimulatedSource implements EventSource {
         finished = true;
     }
 
-    /** Films until some events are ready; false where none will come. */
+    /** Films until some events are ready; false if no more events will come. */
     private boolean film() {
         while (!queue.hasReady()) {
             if (finished) {
@@ -292,11 +293,11 @@ public final class SimulatedSource implements EventSource {
         return textured;
     }
 
-    /** Hands the light that the renderer finds to the pixels. */
+    /** Passes the light that the renderer finds on to the pixels. */
     private final class Changes implements Renderer.Visitor {
         @Override
         public void light(int pixel, int x, int y, long objects, double newLight) {
-            // A texture is not drawn in every step; without one, a pixel that was not visited kept its light.
+            // A texture is not drawn in every step. Without texture, a pixel that was not visited kept its light.
             double fromUs = (objects & textured) == 0 ? nowUs : drawnUs[pixel];
             drawnUs[pixel] = nextUs;
             if (light[pixel] != newLight) {
@@ -308,7 +309,7 @@ public final class SimulatedSource implements EventSource {
 
         @Override
         public void texture(int pixel, int x, int y, int object, double logLight) {
-            // The pixel shows more than this light says: whatever comes next is a change.
+            // The stored light does not describe a pixel with texture: whatever light comes next is a change.
             light[pixel] = Double.NaN;
             visit(x, y, 1L << object);
             pixels.change(pixel, logLight, drawnUs[pixel], nextUs, crossed);
@@ -366,12 +367,12 @@ public final class SimulatedSource implements EventSource {
         }
     }
 
-    /** Time to the next event of a Poisson process; without end where the rate is 0. */
+    /** Time to the next event of a Poisson process; infinite if the rate is 0. */
     private double gapUs(double rateHz) {
         return rateHz == 0 ? Double.POSITIVE_INFINITY : -StrictMath.log(1 - noise.nextDouble()) / rateHz * 1e6;
     }
 
-    /** The time stamp: the crossing plus latency, and after the pixel's last event, for a pixel keeps its order. */
+    /** The time stamp: the crossing plus latency, but after the pixel's last event, because a pixel keeps its order. */
     private long outUs(int pixel, double timeUs) {
         double sd = dvs.jitterSdUs();
         double delayUs = sd == 0 ? 0 : sd * Math.min(6, Math.max(0, 3 + latency.nextGaussian()));

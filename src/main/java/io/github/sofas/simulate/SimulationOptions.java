@@ -4,28 +4,28 @@ import io.github.sofas.event.SensorSize;
 import java.util.Objects;
 
 /**
- * What can be varied in every scene.
+ * The options with which a scene is filmed: sensor, motion, sizes, light and the model of the pixels.
  *
  * @param sensor the pixel array that sees the scene
  * @param durationUs length of the film in µs; 0 for the scene's own
- * @param speedPxPerS speed of the scene's first object in px/s, the others keep their ratio to it; 0 for the scene's
- *     own; for a pendulum the peak speed of its bob, for a pan that of the nearest bar, for wanderers the typical one,
- *     for walls that turn or grow that of points a quarter of the sensor's width from the middle; rotating bars, the
- *     flickering lamp and the random scene do not use it
+ * @param speedPxPerS speed of the scene's first object in px/s, to which the others keep their ratio; 0 for the scene's
+ *     own. For a pendulum it is the peak speed of the bob, for a pan the speed of the nearest bar, for wanderers the
+ *     typical speed, and for walls that turn or grow the speed of points a quarter of the sensor's width from the
+ *     middle. Rotating bars, the flickering lamp and the random scene do not use it
  * @param directionDeg direction of the first object's motion in degrees from right to down; the whole arrangement
  *     turns with it
- * @param turnsPerS rate of the rotating bars, negative from right to up
+ * @param turnsPerS rate of the rotating bars in turns per s, negative from right to up
  * @param scale factor on the sizes of all objects, above 0
  * @param contrast logarithm of background light over the light of a plain dark object, above 0; a pixel with a
  *     threshold of 0.2 fires three times for 0.7
- * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a
- *     plain one, and for the own one of a scene with textures
- * @param surface what walls and textured objects are made of
+ * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain
+ *     background, or in a scene with textures for the scene's own value
+ * @param surface the material of walls and textured objects
  * @param blurPx standard deviation of the optical blur in px, above 0
  * @param turnsRound whether a camera pan slows down, turns round and comes back
- * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
- * @param seed of everything that is random
- * @param dvs the pixels
+ * @param fieldOfViewM width that the sensor sees at the pendulum, in m; with 0 the swing just fills that width
+ * @param seed seed of everything that is random
+ * @param dvs the model of the pixels
  */
 public record SimulationOptions(SensorSize sensor, long durationUs, double speedPxPerS, double directionDeg,
                                 double turnsPerS, double scale, double contrast, double texture, Surface surface,
@@ -33,7 +33,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     /** The array of a DAVIS240C. */
     public static final SensorSize DAVIS240 = new SensorSize(240, 180);
 
-    /** Logarithms of light: more than from starlight to the sun. */
+    /** Greatest logarithm of a ratio of light: more than from starlight to the sun. */
     private static final double MOST_LOG = 20;
     private static final double MOST_SCALE = 100;
     private static final double MOST_BLUR_PX = 100;
@@ -43,25 +43,25 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
      *
      * @param sensor the pixel array that sees the scene
      * @param durationUs length of the film in µs; 0 for the scene's own
-     * @param speedPxPerS speed of the scene's first object in px/s, the others keep their ratio to it; 0 for the
-     *     scene's own; for a pendulum the peak speed of its bob, for a pan that of the nearest bar, for wanderers the
-     *     typical one, for walls that turn or grow that of points a quarter of the sensor's width from the middle;
-     *     rotating bars, the flickering lamp and the random scene do not use it
+     * @param speedPxPerS speed of the scene's first object in px/s, to which the others keep their ratio; 0 for the
+     *     scene's own. For a pendulum it is the peak speed of the bob, for a pan the speed of the nearest bar, for
+     *     wanderers the typical speed, and for walls that turn or grow the speed of points a quarter of the sensor's
+     *     width from the middle. Rotating bars, the flickering lamp and the random scene do not use it
      * @param directionDeg direction of the first object's motion in degrees from right to down; the whole arrangement
      *     turns with it
-     * @param turnsPerS rate of the rotating bars, negative from right to up
+     * @param turnsPerS rate of the rotating bars in turns per s, negative from right to up
      * @param scale factor on the sizes of all objects, above 0
      * @param contrast logarithm of background light over the light of a plain dark object, above 0; a pixel with a
      *     threshold of 0.2 fires three times for 0.7
-     * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain one,
-     *     and for the own one of a scene with textures
-     * @param surface what walls and textured objects are made of
+     * @param texture standard deviation of the background's log intensity, smooth over a few pixels; 0 for a plain
+     *     background, or in a scene with textures for the scene's own value
+     * @param surface the material of walls and textured objects
      * @param blurPx standard deviation of the optical blur in px, above 0
      * @param turnsRound whether a camera pan slows down, turns round and comes back
-     * @param fieldOfViewM width that the sensor sees at the pendulum, in m; 0 so that the swing just fills it
-     * @param seed of everything that is random
-     * @param dvs the pixels
-     * @throws IllegalArgumentException where one is out of range
+     * @param fieldOfViewM width that the sensor sees at the pendulum, in m; with 0 the swing just fills that width
+     * @param seed seed of everything that is random
+     * @param dvs the model of the pixels
+     * @throws IllegalArgumentException if a component is out of range
      */
     public SimulationOptions {
         Objects.requireNonNull(sensor, "sensor");
@@ -87,8 +87,9 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     }
 
     /**
-     * {@return the defaults} The scene's own duration and speed, to the right, one turn per second, seen by a DAVIS240C
-     * ({@link DvsModel#davis()}) with a blur of 0.7 px and a contrast of 0.7 on a plain background; seed 1.
+     * {@return the defaults} The scene has its own duration and speed and moves to the right; rotating bars turn once
+     * per second. A DAVIS240C ({@link DvsModel#davis()}) sees it with a blur of 0.7 px and a contrast of 0.7 on a plain
+     * background. The seed is 1.
      */
     public static SimulationOptions defaults() {
         return new SimulationOptions(DAVIS240, 0, 0, 0, 1, 1, 0.7, 0, Surface.LEAVES, 0.7, false, 0, 1,
@@ -176,7 +177,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     }
 
     /**
-     * {@return the same with walls and textured objects made of something else}
+     * {@return the same with walls and textured objects of another material}
      *
      * @param what the new value
      */
@@ -198,7 +199,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     /**
      * {@return the same with a pan that turns round, or not}
      *
-     * @param round whether it does
+     * @param round whether the pan turns round
      */
     public SimulationOptions withTurnsRound(boolean round) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,
@@ -208,7 +209,7 @@ public record SimulationOptions(SensorSize sensor, long durationUs, double speed
     /**
      * {@return the same with another field of view in m}
      *
-     * @param m in m; 0 so that the swing fills it
+     * @param m in m; with 0 the swing fills the field of view
      */
     public SimulationOptions withFieldOfViewM(double m) {
         return new SimulationOptions(sensor, durationUs, speedPxPerS, directionDeg, turnsPerS, scale, contrast, texture,

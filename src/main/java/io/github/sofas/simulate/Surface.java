@@ -6,13 +6,13 @@ import java.util.Random;
 import java.util.stream.Collectors;
 
 /**
- * What walls and textured objects are made of. How well a velocity can be known depends on it: edges show it best, what
- * is smooth least.
+ * The material of walls and textured objects. The material determines how well a velocity can be known: edges show the
+ * velocity best, smooth surfaces least.
  */
 public enum Surface {
     /**
-     * Leaves of random grey that hide each other, as those of everyday things (Lee, Mumford, Huang 2001): edges of
-     * every direction and length, and even patches between them.
+     * Leaves of random grey that hide each other, as everyday objects do (Lee, Mumford, Huang 2001): edges of every
+     * direction and length, and even patches between them.
      */
     LEAVES("leaves") {
         @Override
@@ -20,7 +20,7 @@ public enum Surface {
             return Leaves.tile(side, grain, random);
         }
     },
-    /** Gaussian noise blurred by a Gaussian: no edges, and nothing is even. */
+    /** Gaussian noise blurred by a Gaussian: no edges, and no even patches. */
     SMOOTH("smooth") {
         @Override
         float[] paint(int side, double grain, Random random) {
@@ -28,9 +28,9 @@ public enum Surface {
         }
     },
     /**
-     * Noise whose amplitude falls with the frequency, as that of photographs (Field, "Relations between the statistics
-     * of natural images and the response properties of cortical cells", Journal of the Optical Society of America A,
-     * 1987): as much of each octave of sizes. Few edges, most of them faint.
+     * Noise whose amplitude falls with the frequency, as in photographs (Field, "Relations between the statistics of
+     * natural images and the response properties of cortical cells", Journal of the Optical Society of America A,
+     * 1987): each octave of sizes contributes equally. There are few edges, most of them faint.
      */
     FRACTAL("fractal") {
         @Override
@@ -53,13 +53,13 @@ public enum Surface {
         this.surfaceName = surfaceName;
     }
 
-    /** {@return the name that users call it by, in lower case} */
+    /** {@return the name of the surface for users, in lower case} */
     public String surfaceName() {
         return surfaceName;
     }
 
     /**
-     * {@return the surface of a name, if there is one}
+     * {@return the surface with a name, if there is one}
      *
      * @param name in lower case
      */
@@ -73,13 +73,13 @@ public enum Surface {
     }
 
     /**
-     * {@return the light of a tile of so many texels by as many, of any mean and spread}
+     * {@return the light of a square tile with the given side in texels, of any mean and spread}
      *
-     * @param grain size of the smallest that it shows, in texels: the radius of leaves, the standard deviation of blurs
+     * @param grain size of the smallest structure, in texels: the radius of leaves, the standard deviation of blurs
      */
     abstract float[] paint(int side, double grain, Random random);
 
-    /** Largest standard deviation of a blur, in texels: more would leave nothing of what is repeated. */
+    /** Largest standard deviation of a blur, in texels: a larger one would leave nothing of a tile that is repeated. */
     private static double largest(int side) {
         return side / 8.0;
     }

@@ -2,7 +2,10 @@ package io.github.sofas.simulate;
 
 import java.util.Random;
 
-/** Log intensity of a surface of one kind, as far as the optical blur lets it be seen. It repeats itself. */
+/**
+ * Log intensity of a painted surface, as visible through the optical blur. The texture repeats itself, so that it
+ * covers a plane of any size.
+ */
 final class Texture {
     private static final int TEXELS_PER_PX = 2;
 
@@ -10,12 +13,12 @@ final class Texture {
     private final float[] logLight;
 
     /**
-     * Makes one with a mean of 0.
+     * Makes a texture with a mean of 0.
      *
-     * @param surface what is seen
-     * @param sidePx after how many px it repeats itself, a power of two
+     * @param surface the material
+     * @param sidePx distance after which the texture repeats itself, in px; a power of two
      * @param sd standard deviation of the log intensity
-     * @param grainPx size of the smallest that it shows, in px
+     * @param grainPx size of the smallest structure, in px
      * @param blurPx standard deviation of the optical blur in px
      */
     Texture(Surface surface, int sidePx, double sd, double grainPx, double blurPx, Random random) {

@@ -12,12 +12,13 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Scenes with texture, growth or flicker. The background is an object like the others, with an id of its own.
+ * Composes the scenes with texture, growth or flicker. A textured wall in the background is an object like the others,
+ * with an id of its own.
  *
- * <p>Speeds of walls that turn or grow are those of points a quarter of the sensor's width from the middle.
+ * <p>The speed of a wall that turns or grows is that of points a quarter of the sensor's width from the middle.
  */
 final class TexturedScenes {
-    /** With thresholds of 0.2 a DAVIS240C gives 350,000 events/s at 60 px/s. */
+    /** Texture of a wall: with thresholds of 0.2, a DAVIS240C gives 350,000 events/s at 60 px/s. */
     private static final double WALL_SD = 0.28;
     private static final double GRAIN_PX = 2.5;
     private static final int WALL_SIDE_PX = 256;
@@ -59,7 +60,7 @@ final class TexturedScenes {
         return new World(List.of(wall(1, options, camera(options, true, 0))), byHandS(options));
     }
 
-    /** The wall goes back across the way of the camera as much as along it. */
+    /** The wall recedes as much across the camera's path as along it. */
     static World slant(SimulationOptions options) {
         return new World(List.of(wall(1, options, camera(options, false, Math.tan(Math.PI / 6)))), byHandS(options));
     }
@@ -72,7 +73,7 @@ final class TexturedScenes {
                 heading.x(each, each), heading.y(each, each), 0.6, byHandS(options));
     }
 
-    /** How long what a camera sees that is held by hand is filmed, in s. */
+    /** Duration of the film of a hand-held camera, in s. */
     static double byHandS(SimulationOptions options) {
         return Scenes.duration(options, travelS(150 / byHandSpeed(options)));
     }
@@ -82,10 +83,10 @@ final class TexturedScenes {
     }
 
     /**
-     * How a wall moves before a camera that is held by hand.
+     * The motion of a wall before a hand-held camera.
      *
-     * @param turning share of a turn of 1 rad and a growth of a third in 100 px
-     * @param durationS how long it is filmed, in s
+     * @param turning turn and growth, as a share of a turn of 1 rad and a growth of a third per 100 px of travel
+     * @param durationS duration of the film, in s
      */
     static Trajectory byHand(SimulationOptions options, double turning, double durationS) {
         double speed = byHandSpeed(options);
@@ -104,12 +105,12 @@ final class TexturedScenes {
         return nearAndFar(options, true);
     }
 
-    /** The speed is that of the outline where it is nearest. */
+    /** Moves a shape nearer or farther away. The speed is that of the outline where the shape is nearest. */
     private static World nearAndFar(SimulationOptions options, boolean goesAway) {
         double radius = 34 * options.scale();
         double startScale = 0.45;
         double endScale = 1.6;
-        // 1 / (contact - t) grows from 0.45 to 1.6 of what it is at size 1.
+        // 1 / (contact - t) grows from 0.45 to 1.6 times its value at size 1.
         double ownS = 2.8;
         double contactShare = 1 / (1 - startScale / endScale);
         double ownSpeed = endScale * radius / (contactShare * ownS - ownS);
@@ -154,7 +155,7 @@ final class TexturedScenes {
         return new World(List.of(objects), durationS);
     }
 
-    /** The scene rests, so that its texture shows only in how the light falls on it. */
+    /** Lights a scene at rest, so that its texture shows only in the way in which the light falls on it. */
     static World flicker(SimulationOptions options) {
         Heading heading = new Heading(options);
         double away = 0.15 * options.sensor().width();
@@ -164,7 +165,7 @@ final class TexturedScenes {
         return new World(List.of(), lamp, Scenes.duration(options, 2));
     }
 
-    /** A background that is everywhere. */
+    /** A textured background that is everywhere. */
     static MovingObject wall(int id, SimulationOptions options, Trajectory trajectory) {
         return new MovingObject(id, new Everywhere(), trajectory, 1,
                 texture(options, WALL_SIDE_PX, new Random(~options.seed())));
@@ -175,7 +176,7 @@ final class TexturedScenes {
                 GRAIN_PX * options.scale(), options.blurPx(), random);
     }
 
-    /** Texture of a shape. */
+    /** The texture of a shape, with the given standard deviation of its log intensity. */
     static Texture texture(SimulationOptions options, double sd, Random random) {
         return new Texture(options.surface(), SHAPE_SIDE_PX, sd, GRAIN_PX * options.scale(), options.blurPx(),
                 random);

@@ -1,20 +1,23 @@
 package io.github.sofas.simulate;
 
-/** Pictures as wide as high, a power of two, that repeat themselves: their texels by rows, row by row. */
+/**
+ * Functions on tiles: square pictures that repeat themselves. The side of a tile is a power of two, and its texels are
+ * stored row by row.
+ */
 final class Tile {
     private Tile() {
     }
 
     /**
-     * {@return one blurred by a Gaussian}
+     * {@return the tile blurred by a Gaussian}
      *
-     * @param sd of the Gaussian, in texels
+     * @param sd standard deviation of the Gaussian, in texels
      */
     static float[] blurred(float[] texels, int side, double sd) {
         return transposedBlur(transposedBlur(texels, side, sd), side, sd);
     }
 
-    /** Blurs along the rows and turns rows into columns, so that twice is a whole blur. */
+    /** Blurs along the rows and turns rows into columns, so that two calls make a whole blur. */
     private static float[] transposedBlur(float[] from, int side, double sd) {
         int radius = (int) Math.ceil(4 * sd);
         double[] weights = new double[2 * radius + 1];
@@ -36,7 +39,7 @@ final class Tile {
         return to;
     }
 
-    /** Shifts and scales one to a mean of 0 and a standard deviation. */
+    /** Shifts and scales a tile to a mean of 0 and the given standard deviation. */
     static void scale(float[] texels, double sd) {
         double sum = 0;
         double squares = 0;

@@ -1,19 +1,19 @@
 package io.github.sofas.simulate;
 
-/** How an object moves in the image: its place, angle, size and their rates at any time. */
+/** How an object moves in the image: its place, angle and size, and the rates of the three, at any time. */
 interface Trajectory {
-    /** Fills the pose for a time in s since the scene began; rates are the derivatives of place, angle and size. */
+    /** Fills the pose for a time in s since the scene began. Rates are the derivatives of place, angle and size. */
     void poseAt(double timeS, Pose pose);
 
-    /** The greatest speed in px/s that a point at a distance in px from the object's origin can have. */
+    /** Greatest speed in px/s that a point at the given distance in px from the object's origin can have. */
     double maxSpeedPxPerS(double distancePx);
 
-    /** The greatest size as a multiple of the shape's own. */
+    /** Greatest size as a multiple of the shape's own size. */
     default double maxScale() {
         return 1;
     }
 
-    /** Constant velocity at a constant angle; the origin is at (midX, midY) at time midS. */
+    /** Moves at constant velocity and a constant angle; the origin is at (midX, midY) at time midS. */
     record Straight(double midX, double midY, double midS, double vxPxPerS, double vyPxPerS, double angleRad)
             implements Trajectory {
         @Override
@@ -33,7 +33,7 @@ interface Trajectory {
         }
     }
 
-    /** Turning at a constant rate about a fixed origin. */
+    /** Turns at a constant rate about a fixed origin. */
     record Rotation(double x, double y, double startRad, double turnRadPerS) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
@@ -53,7 +53,8 @@ interface Trajectory {
     }
 
     /**
-     * A pan that slows down, turns round and comes back: velocity v cos(pi t / duration), place its integral.
+     * A pan that slows down, turns round and comes back. The velocity is v cos(pi t / duration), and the place is its
+     * integral.
      */
     record ThereAndBack(double startX, double startY, double vxPxPerS, double vyPxPerS, double durationS,
                         double angleRad) implements Trajectory {
@@ -93,10 +94,11 @@ interface Trajectory {
     }
 
     /**
-     * What a camera's own motion does to the picture of a wall: it slides, turns about the wall's origin and grows.
-     * Each of the three rates swings about its mean by a share of it, a third of a period after the one before.
+     * The effect of a camera's own motion on the picture of a wall: the picture slides, turns about the wall's origin
+     * and grows. Each of the three rates swings about its mean by a share of that mean, a third of a period after the
+     * previous rate.
      *
-     * @param swing 0 for steady motion, below 1
+     * @param swing share of the mean by which a rate swings; 0 for steady motion, below 1
      */
     record Sway(double startX, double startY, double vxPxPerS, double vyPxPerS, double turnRadPerS, double growthPerS,
                 double swing, double periodS) implements Trajectory {
@@ -136,11 +138,11 @@ interface Trajectory {
     }
 
     /**
-     * The path of a point of a body, and of what is fixed to the body there.
+     * The path of an object that is fixed to a point of a body.
      *
      * @param body the body's own path
-     * @param x where the point lies on the body, in px of its own size, as y
-     * @param angleRad by which what is fixed there is turned against the body
+     * @param x position of the point on the body, together with y, in px of the body's own size
+     * @param angleRad angle by which the fixed object is turned against the body
      */
     record Fixed(Trajectory body, double x, double y, double angleRad) implements Trajectory {
         @Override
@@ -172,12 +174,13 @@ interface Trajectory {
     }
 
     /**
-     * Coming nearer at constant speed along the line of sight of a point of the picture, which it grows away from. Its
-     * size is 1 / (contactS - t), up to a factor: the camera is reached at contactS, and growth is 1 / (contactS - t).
+     * Approaches the camera at constant speed along the line of sight of a point of the picture. The object grows away
+     * from that point. Its size is 1 / (contactS - t), up to a factor: the object reaches the camera at contactS, and
+     * its growth is 1 / (contactS - t).
      *
-     * @param offsetX how far to the right of that point it is where its size is 1
+     * @param offsetX distance of the object to the right of that point when its size is 1
      * @param startScale size at time 0
-     * @param endS when it is last looked at, before contactS
+     * @param endS last time at which the object is seen, before contactS
      */
     record Approach(double focusX, double focusY, double offsetX, double offsetY, double angleRad, double startScale,
                     double contactS, double endS) implements Trajectory {
@@ -205,7 +208,7 @@ interface Trajectory {
         }
     }
 
-    /** The same way backwards: at time 0 it is where the other is at durationS. */
+    /** Another trajectory backwards: at time 0 the object is where the other trajectory is at durationS. */
     record Backwards(Trajectory way, double durationS) implements Trajectory {
         @Override
         public void poseAt(double timeS, Pose pose) {
@@ -228,9 +231,9 @@ interface Trajectory {
     }
 
     /**
-     * Along a line, turning at a constant rate. The origin is at (atX, atY) at time atS.
+     * Moves along a line and turns at a constant rate. The origin is at (atX, atY) at time atS.
      *
-     * @param pace how the speed changes
+     * @param pace how the speed changes over time
      */
     record Journey(double atX, double atY, double atS, double vxPxPerS, double vyPxPerS, Pace pace, double startRad,
                    double turnRadPerS) implements Trajectory {
@@ -254,9 +257,10 @@ interface Trajectory {
     }
 
     /**
-     * Speed over time, as a multiple of the first: 1, then from changeS on half a cosine to the last within takesS.
+     * Speed over time, as a multiple of the first speed. It is 1 until changeS, and then follows half a cosine to its
+     * last value within takesS.
      *
-     * @param last 1 for steady motion, 0 for a stop, -1 for turning back
+     * @param last the last value: 1 for steady motion, 0 for a stop, -1 for turning back
      */
     record Pace(double last, double changeS, double takesS) {
         double rate(double timeS) {

@@ -1,22 +1,22 @@
 package io.github.sofas.simulate;
 
 /**
- * What caused each event of a batch, in parallel arrays: entry i belongs to event i of the batch that was filled last.
- * Made once and reused.
+ * The object that caused each event of a batch, and its velocity, in parallel arrays. Entry i belongs to event i of the
+ * batch that was filled last. The arrays are made once and reused.
  */
 public final class Truth {
     /** True image velocity to the right in px/s; 0 for noise. */
     public final float[] vxPxPerS;
     /** True image velocity downwards in px/s; 0 for noise. */
     public final float[] vyPxPerS;
-    /** Which object caused the event, from 1; 0 for noise and hot pixels. */
+    /** Number of the object that caused the event, from 1; 0 for noise and hot pixels. */
     public final int[] object;
 
     /**
      * Makes the arrays.
      *
      * @param capacity the size of the largest batch, at least 1
-     * @throws IllegalArgumentException where the capacity is smaller
+     * @throws IllegalArgumentException if the capacity is smaller
      */
     public Truth(int capacity) {
         if (capacity < 1) {
@@ -27,7 +27,7 @@ public final class Truth {
         object = new int[capacity];
     }
 
-    /** {@return the largest batch that fits} */
+    /** {@return the size of the largest batch that fits} */
     public int capacity() {
         return object.length;
     }

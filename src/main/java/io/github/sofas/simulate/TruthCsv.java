@@ -11,8 +11,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Writes the truth of every event as a row {@value #HEADER}. Velocities have three decimals, rounded half away from
- * zero; both fields are empty and the object is 0 where the event is noise. Lines end in LF.
+ * Writes the truth of every event as a CSV row {@value #HEADER}. Velocities have three decimals, rounded half away from
+ * zero. For noise, both velocity fields are empty and the object is 0. Lines end in LF.
  */
 public final class TruthCsv implements Closeable {
     /** The first line, without its end. */
@@ -24,10 +24,10 @@ public final class TruthCsv implements Closeable {
     private final StringBuilder text = new StringBuilder(FLUSH_CHARS + 128);
 
     /**
-     * Makes or replaces the file and writes the header.
+     * Creates or replaces the file and writes the header.
      *
-     * @param path gets the truth; replaced where it exists
-     * @throws IOException where it cannot be written
+     * @param path the file to write; replaced if it exists
+     * @throws IOException if it cannot be written
      */
     public TruthCsv(Path path) throws IOException {
         this(Files.newOutputStream(path));
@@ -47,8 +47,8 @@ public final class TruthCsv implements Closeable {
      * Writes the rows of a batch.
      *
      * @param batch the events
-     * @param truth filled together with the batch
-     * @throws IOException where they cannot be written
+     * @param truth the truth that was filled together with the batch
+     * @throws IOException if they cannot be written
      */
     public void write(EventBatch batch, Truth truth) throws IOException {
         for (int i = 0; i < batch.size(); i++) {
@@ -61,7 +61,7 @@ public final class TruthCsv implements Closeable {
      * Writes the rows of a whole recording.
      *
      * @param recording the recording
-     * @throws IOException where they cannot be written
+     * @throws IOException if they cannot be written
      */
     public void write(SimulatedRecording recording) throws IOException {
         for (int i = 0; i < recording.size(); i++) {
@@ -86,7 +86,7 @@ public final class TruthCsv implements Closeable {
         }
     }
 
-    /** A product of a float and 1000 is exact as a double, so that the rounding is that of the float's exact value. */
+    /** The product of a float and 1000 is exact as a double, so that the float's exact value is rounded. */
     private void appendThousandths(float velocity) {
         long thousandths = Math.round(Math.abs((double) velocity) * 1000);
         if (velocity < 0 && thousandths > 0) {

@@ -3,11 +3,12 @@ package io.github.sofas.simulate;
 import java.util.Random;
 
 /**
- * A smooth random path like that of a creature in a box: it moves along its heading or backwards, speeds up and slows
- * down, turns, sometimes reverses, and steers back before it leaves the box.
+ * A smooth random path like that of a creature in a box. The creature moves along its heading or backwards, speeds up
+ * and slows down, turns, sometimes reverses, and steers back before it leaves the box.
  *
- * <p>Speed and rate of turning follow random targets through two low passes; their integral is kept every 5 ms.
- * Between, place and angle are cubic, with the velocity as their exact derivative, so that truth and picture agree.
+ * <p>Speed and rate of turning follow random targets through two low-pass filters. Their integral is stored every 5 ms.
+ * Between these knots, place and angle are cubic, and the velocity is their exact derivative, so that truth and picture
+ * agree.
  */
 final class Wander implements Trajectory {
     private static final double KNOT_S = 0.005;
@@ -27,12 +28,12 @@ final class Wander implements Trajectory {
     private double fastestRadPerS;
 
     /**
-     * Makes one.
+     * Makes a path.
      *
-     * @param centreX centre of the box that the origin stays in or near
-     * @param halfWidth half the box
-     * @param speedPxPerS typical speed; targets lie between 0.5 and 1.5 of it
-     * @param durationS how long it wanders
+     * @param centreX column of the centre of the box in or near which the origin stays
+     * @param halfWidth half the width of the box
+     * @param speedPxPerS typical speed; targets lie between 0.5 and 1.5 times that speed
+     * @param durationS duration of the path
      */
     Wander(double startX, double startY, double headingRad, double centreX, double centreY, double halfWidth,
            double halfHeight, double speedPxPerS, double durationS, Random random) {
@@ -77,7 +78,7 @@ final class Wander implements Trajectory {
                         (cos * homeX + sin * homeY) * forward);
                 wantedTurn = Math.max(-MAX_TURN_RAD_PER_S, Math.min(MAX_TURN_RAD_PER_S, 3 * astray));
                 if (Math.abs(astray) > Math.PI * 2 / 3) {
-                    // The box's middle is behind: backing off is quicker than turning.
+                    // The middle of the box is behind: reversing is quicker than turning.
                     targetSpeed = -targetSpeed;
                     nextSpeedS = now + 0.6 + 0.9 * random.nextDouble();
                 }

@@ -3,15 +3,15 @@ package io.github.sofas.simulate;
 import java.util.List;
 
 /**
- * What the camera sees: opaque objects before a background that rests, or a still scene in the light of a lamp that
- * flickers.
+ * Everything that the camera sees: opaque objects before a background at rest, or a still scene in the light of a lamp
+ * that flickers.
  *
- * @param objects front to back, at most {@value #MAX_OBJECTS}; none where there is a lamp
- * @param lamp null where the light is even
- * @param durationS how long it is seen, in s
+ * @param objects the objects, front to back, at most {@value #MAX_OBJECTS}; none if there is a lamp
+ * @param lamp the lamp; null if the light is even
+ * @param durationS duration of the film, in s
  */
 record World(List<MovingObject> objects, Lamp lamp, double durationS) {
-    /** The renderer keeps sets of objects as bits of a long. */
+    /** Most objects of a world: the renderer stores sets of objects as bits of a long. */
     static final int MAX_OBJECTS = 64;
 
     World {

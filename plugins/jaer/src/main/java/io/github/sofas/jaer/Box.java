@@ -1,6 +1,6 @@
 package io.github.sofas.jaer;
 
-/** A rectangle of the screen, in its pixels, y up. */
+/** A rectangle on the screen, in screen pixels, with y up. */
 record Box(float left, float bottom, float right, float top) {
 
     static Box of(float left, float bottom, float width, float height) {
@@ -19,7 +19,7 @@ record Box(float left, float bottom, float right, float top) {
         return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
     }
 
-    /** Distance of the centres. */
+    /** Distance between the centres of two boxes. */
     float distance(Box other) {
         return (float) Math.hypot(left + right - other.left - other.right, bottom + top - other.bottom - other.top) / 2;
     }

@@ -3,19 +3,19 @@ package io.github.sofas.jaer;
 import com.jogamp.opengl.GL2;
 import java.awt.Color;
 
-/** Colours of segments and of directions. */
+/** Colours of segments and of directions of flow. */
 final class Colours {
     private static final float GOLDEN = 0.618034f;
 
     private Colours() {
     }
 
-    /** Successive ids lie far apart on the wheel of hues. */
+    /** The colour of a segment: successive ids lie far apart on the wheel of hues. */
     static Color of(int segment) {
         return Color.getHSBColor(segment * GOLDEN % 1, 0.75f, 1);
     }
 
-    /** jAER's colour of a direction, y up. */
+    /** jAER's colour for the direction of a velocity, with y up. */
     static Color of(float vx, float vy) {
         return Color.getHSBColor((float) (Math.atan2(vy, vx) / (2 * Math.PI) + 0.5), 1, 1);
     }

@@ -2,7 +2,10 @@ package io.github.sofas.jaer;
 
 import java.util.Locale;
 
-/** What the filter did since its last reset. */
+/**
+ * Counts the filter's events, events with flow, and times since its last reset, for the statistics that the user asks
+ * for.
+ */
 final class Counters {
     private long events;
     private long withFlow;
@@ -29,7 +32,7 @@ final class Counters {
         return engineNs;
     }
 
-    /** In one line. */
+    /** The statistics in one line. */
     String text() {
         return String.format(Locale.ROOT, "%,d events, %.1f %% with flow, %,.0f events/s labelled, %.1f %% on top for "
             + "reading packets", events, 100.0 * withFlow / Math.max(1, events), events * 1e9 / Math.max(1, engineNs),

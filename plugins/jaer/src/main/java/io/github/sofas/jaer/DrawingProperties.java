@@ -3,7 +3,10 @@ package io.github.sofas.jaer;
 import net.sf.jaer.Preferred;
 import net.sf.jaer.chip.AEChip;
 
-/** What is drawn, as properties that jAER shows and keeps. Any thread may set them. */
+/**
+ * The choice of what is drawn, as properties of the filter that jAER shows and keeps in its preferences. Any thread may
+ * set them.
+ */
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
 public abstract class DrawingProperties extends GeneratedProperties {
     private static final String DRAWING = "3: SOFAS: what is drawn";
@@ -40,7 +43,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
             + " flow may be up to " + Engine.MOST_BEHIND + " packets behind, which the legend says; default off");
     }
 
-    /** Whether colours of what is drawn are directions, which the colour wheel explains. */
+    /** Shows jAER's colour wheel if colours of events or vectors are directions, which the wheel explains. */
     private void showColourWheel() {
         setDisplayColorWheelLegend(eventColours == FlowDrawing.Colouring.FLOW || isDisplayVectorsEnabled());
     }
@@ -51,7 +54,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         showColourWheel();
     }
 
-    /** Button: brings what is drawn at first back. */
+    /** Button: restores the initial choice of what is drawn. */
     @Override
     public void doSetDefaults() {
         super.doSetDefaults();
@@ -64,7 +67,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         setEngineAwaited(false);
     }
 
-    /** What events are coloured by. */
+    /** What the colours of events show. */
     @Preferred
     public FlowDrawing.Colouring getEventColours() {
         return eventColours;
@@ -81,7 +84,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         }
     }
 
-    /** Whether track planes have arrows. */
+    /** Whether an arrow is drawn for each track plane. */
     @Preferred
     public boolean isSegmentVelocityShown() {
         return segmentVelocityShown;
@@ -94,7 +97,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         shown("segmentVelocityShown", old, value);
     }
 
-    /** Whether track planes have labels. */
+    /** Whether a label is drawn for each track plane. */
     @Preferred
     public boolean isSegmentLabelsShown() {
         return segmentLabelsShown;
@@ -146,7 +149,7 @@ public abstract class DrawingProperties extends GeneratedProperties {
         shown("legendShown", old, value);
     }
 
-    /** Whether the viewer waits for the engine. */
+    /** Whether each picture waits for the flow of its events. */
     public boolean isEngineAwaited() {
         return engineAwaited;
     }

@@ -14,14 +14,15 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 
 /**
- * Labels packets on a thread of its own, in order and every one, so that one that takes long does not stop the viewer.
- * At most {@value #MOST_BEHIND} are not labelled yet when the viewer goes on. For one thread at a time, that of the
- * packets; what is done with a packet right after it was labelled is done on the engine's.
+ * Labels packets on a thread of its own, so that a packet that takes long does not stop the viewer. It labels every
+ * packet, and in order. At most {@value #MOST_BEHIND} packets are not labelled yet when the viewer continues. One
+ * thread at a time uses this class, the thread of the packets. The consumer of labelled packets is called on the
+ * engine's thread.
  */
 final class Engine {
-    /** More would show flow that is old; with fewer a long packet would stop the viewer. */
+    /** With more, pictures would show old flow; with fewer, a long packet would stop the viewer. */
     static final int MOST_BEHIND = 2;
-    /** Half of a picture's time at 60 a second: what is ready by then is shown with its own packet. */
+    /** Half of a picture's time at 60 pictures per second: flow that is ready by then is shown with its own packet. */
     private static final long PATIENCE_MS = 8;
     private static final long IDLE_S = 10;
 
@@ -30,14 +31,17 @@ final class Engine {
     private final ThreadPoolExecutor thread;
     private final ArrayDeque<Future<LabelledPacket>> pending = new ArrayDeque<>();
     private final ArrayDeque<LabelledPacket> free = new ArrayDeque<>();
-    /** Whether none was behind when the last packet came: else waiting for that one would slow both down. */
+    /**
+     * Whether no packet was behind when the last one came. Otherwise, waiting for that one would slow both threads
+     * down.
+     */
     private boolean caughtUp;
 
     /**
      * Makes an engine.
      *
-     * @param ended gets segments that end
-     * @param labelled gets each packet when it is labelled
+     * @param ended receives segments that end
+     * @param labelled receives each packet when it is labelled
      */
     Engine(SensorSize sensor, SofasParameters parameters, Consumer<Segment> ended, Consumer<LabelledPacket> labelled) {
         sofas = new Sofas(sensor, parameters, ended);
@@ -47,7 +51,7 @@ final class Engine {
             made.setDaemon(true);
             return made;
         });
-        // a filter that was removed leaves no thread behind
+        // a filter that is removed leaves no thread behind
         thread.allowCoreThreadTimeOut(true);
     }
 
@@ -60,7 +64,7 @@ final class Engine {
         return free.isEmpty() ? new LabelledPacket() : free.pop();
     }
 
-    /** Gives back a packet that is not needed any more. */
+    /** Returns a packet that is not needed any more, for reuse. */
     void giveBack(LabelledPacket packet) {
         free.push(packet);
     }
@@ -77,15 +81,16 @@ final class Engine {
         labelled.accept(packet);
     }
 
-    /** How many packets are not handed out yet. */
+    /** Number of packets that {@link #next} has not handed out yet. */
     int behind() {
         return pending.size();
     }
 
     /**
-     * The oldest packet that was submitted, when it is labelled; null where there is none, or none yet.
+     * The oldest packet that was submitted, once it is labelled; null if there is none, or if it is not labelled yet.
      *
-     * @param wait whether to wait for it; without it only where too many are behind, and a little where none was
+     * @param wait whether to wait for the packet; if not, this waits only if too many packets are behind, and briefly
+     *     if none was
      */
     LabelledPacket next(boolean wait) {
         if (pending.isEmpty()) {

@@ -9,29 +9,36 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Draws what the engine knew after a packet over jAER's picture: events, contours and arrows in chip pixels, labels,
- * legend and metrics in screen pixels, both with the origin lower left. Leaves the state of GL as it was.
+ * Draws the state of the engine after a packet over jAER's picture. Events, contours and arrows are drawn in chip
+ * pixels; labels, legend and metrics in screen pixels. Both have their origin at the lower left. The state of GL is
+ * left as it was.
  */
 final class FlowDrawing {
-    /** Length of an arrow: where its structure will be after this time. */
+    /** Length of an arrow, in s: its head is where the structure will be after this time. */
     private static final float ARROW_S = 0.25f;
-    /** Height of letters for each unit of jAER's font size: with the picture, but always to be read. */
+    /**
+     * Least height of letters, in screen pixels per unit of jAER's font size. The height grows with the picture, within
+     * limits, so that letters are always legible.
+     */
     private static final float LEAST_LETTERS = 1.8f;
     private static final float MOST_LETTERS = 4;
     private static final float LETTERS_A_PIXEL = 0.8f;
-    /** Turn and growth are sure where they move the outline with this share of the speed, and have so far. */
+    /**
+     * Turn and growth are sure if they move the outline with at least this share of the speed, and have moved it by at
+     * least {@value #SURE_PX} px so far.
+     */
     private static final double SURE_SHARE = 0.05;
     private static final double SURE_PX = 3;
 
     private final ScreenText text = new ScreenText();
 
-    /** What events are coloured by. */
+    /** What the colour of an event shows. */
     public enum Colouring {
-        /** Their segment. */
+        /** The event's segment. */
         SEGMENT,
-        /** Direction of their velocity, as on the colour wheel. */
+        /** The direction of the event's velocity, as on the colour wheel. */
         FLOW,
-        /** They are not drawn. */
+        /** Nothing: events are not drawn. */
         NONE;
 
         static Colouring of(String name) {
@@ -47,7 +54,7 @@ final class FlowDrawing {
     /**
      * Draws a picture.
      *
-     * @param behind how many packets the engine has not labelled yet
+     * @param behind number of packets that the engine has not labelled yet
      */
     void draw(GL2 gl, Snapshot now, ShownEvents events, int behind, DrawingProperties shown) {
         gl.glPushAttrib(GL2.GL_CURRENT_BIT | GL2.GL_ENABLE_BIT | GL2.GL_LINE_BIT | GL.GL_COLOR_BUFFER_BIT);
@@ -73,7 +80,7 @@ final class FlowDrawing {
         }
     }
 
-    /** Squares, as points are round or leave gaps where a pixel of the chip is no whole number of the screen's. */
+    /** Draws events as squares: points are round, or leave gaps if a chip pixel is no whole number of screen pixels. */
     private static void drawEvents(GL2 gl, ShownEvents events, int height, Colouring colouring) {
         if (colouring == Colouring.NONE) {
             return;
@@ -179,7 +186,7 @@ final class FlowDrawing {
         drawLeaders(gl, leaders);
     }
 
-    /** From labels that lie apart to what they name. */
+    /** Draws lines from labels that lie apart to the structures that they name. */
     private static void drawLeaders(GL2 gl, List<Box> leaders) {
         gl.glColor4f(1, 1, 1, 0.6f);
         gl.glLineWidth(1);
@@ -191,7 +198,7 @@ final class FlowDrawing {
         gl.glEnd();
     }
 
-    /** Those of old structures first: they keep their places when others come. */
+    /** Places the labels of old structures first, so that they keep their places when new structures appear. */
     private void addLabels(Snapshot now, View view, LabelLayout layout, List<Box> leaders) {
         int height = now.sensor().height();
         for (Segment segment : now.segments()) {
@@ -211,7 +218,7 @@ final class FlowDrawing {
         }
     }
 
-    /** Whether a turn or growth is more than what an error of the velocity looks like. */
+    /** Whether a turn or growth is more than an error of the velocity would look like. */
     private static boolean isSure(float perS, Segment segment) {
         double radius = Math.hypot(segment.maxX() + 1 - segment.minX(), segment.maxY() + 1 - segment.minY()) / 2;
         double pxPerS = Math.abs(perS) * radius;
@@ -223,9 +230,9 @@ final class FlowDrawing {
         return (segment.lastTimeUs() - segment.firstTimeUs()) * 1e-6;
     }
 
-    /** Id, velocity and age; turn and growth where they are sure. */
+    /** Id, velocity and age of a segment; also turn and growth if they are sure. */
     static String label(Segment segment) {
-        // rounded here, since a format would print -0
+        // rounded here, because a format would print -0
         StringBuilder label = new StringBuilder(String.format(Locale.ROOT, "%d: (%d, %d) px/s, %.1f s", segment.id(),
             Math.round(segment.vxPxPerS()), Math.round(-segment.vyPxPerS()),
             ageS(segment)));
@@ -242,7 +249,7 @@ final class FlowDrawing {
         return label.toString();
     }
 
-    /** What the picture shows, in parts that may each begin a line. */
+    /** Describes what the picture shows, in parts that may each begin a line. */
     private static List<String> legend(Snapshot now, ShownEvents events, int behind, DrawingProperties shown) {
         List<String> parts = new ArrayList<>();
         int segments = now.segments().size();
@@ -263,7 +270,7 @@ final class FlowDrawing {
         return parts;
     }
 
-    /** In the sensor's upper left corner, in as many lines as it needs. */
+    /** Places the legend in the sensor's upper left corner, in as many lines as the legend needs. */
     private void addLegend(List<String> parts, Box sensor, View view, LabelLayout layout) {
         float left = Math.max(0, sensor.left() + 2);
         float top = Math.min(view.height(), sensor.top() - 2);

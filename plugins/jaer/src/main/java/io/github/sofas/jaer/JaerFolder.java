@@ -14,17 +14,20 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A folder with jAER, installed or built: its jars, the Java it needs, and how to start it with the filter in its list.
+ * A folder with jAER, installed or built. This class finds its jars and the Java that it needs, and makes the command
+ * that starts jAER with the filter in its list, without a change to the folder.
  */
 final class JaerFolder {
-    /** Lists that jAER 3.3 reads its filters from. */
+    /** Names of the lists from which jAER 3.3 reads its filters. */
     static final List<String> KINDS = List.of("net.sf.jaer.eventprocessing.EventFilter2D",
         "net.sf.jaer.eventprocessing.EventFilter");
-    /** By name: where jAER is only started, its classes are not to be had, and so not the filter. */
+    /**
+     * The filter by its name: jAER's classes, and so the filter's class, cannot be loaded where jAER is only started.
+     */
     private static final String FILTER = "io.github.sofas.jaer.SofasFlow";
     private static final String LISTS = "net/sf/jaer/util/allowed-subclasses/";
     private static final String VIEWER = "net/sf/jaer/JAERViewer.class";
-    /** Class files of version n are for Java n - 44. */
+    /** Class files of version n are for Java n - {@value}. */
     private static final int OLDEST_CLASS_FILE = 44;
 
     private final Path folder;
@@ -36,9 +39,9 @@ final class JaerFolder {
     }
 
     /**
-     * Looks into a folder.
+     * Looks for jAER in a folder.
      *
-     * @throws IOException where there is no jAER in it, with a message for the user
+     * @throws IOException if the folder holds no jAER, with a message for the user
      */
     static JaerFolder of(Path folder) throws IOException {
         List<Path> classPath = new ArrayList<>();
@@ -61,7 +64,7 @@ final class JaerFolder {
         return found;
     }
 
-    /** A resource of jAER, or null. */
+    /** The content of a resource of jAER; null if there is none. */
     private byte[] read(String name) throws IOException {
         List<URL> urls = new ArrayList<>();
         for (Path entry : classPath) {
@@ -73,16 +76,16 @@ final class JaerFolder {
         }
     }
 
-    /** The oldest Java that runs it, from its class files. */
+    /** The oldest Java that runs this jAER, according to its class files. */
     int leastJava() throws IOException {
         byte[] viewer = read(VIEWER);
         return ((viewer[6] & 0xff) << 8 | viewer[7] & 0xff) - OLDEST_CLASS_FILE;
     }
 
     /**
-     * The program of the Java that comes with it, else of the one that runs this.
+     * The executable of the Java that comes with jAER, or else of the Java that runs this program.
      *
-     * @throws IOException where that is too old, with a message for the user
+     * @throws IOException if the latter is too old, with a message for the user
      */
     Path java() throws IOException {
         String name = File.separatorChar == '\\' ? "java.exe" : "java";
@@ -100,8 +103,8 @@ final class JaerFolder {
     }
 
     /**
-     * The arguments that start a class with jAER and the filter on the class path: before jAER's own, so that lists
-     * which name the filter are found first.
+     * The command that starts a class with jAER and the filter on the class path. Lists of filters that name this
+     * filter come before jAER's own on the class path, so that jAER finds them first.
      *
      * @param overlay a folder that these lists are written to
      */
@@ -122,7 +125,7 @@ final class JaerFolder {
         if (leastJava() >= 21) {
             command.add("--enable-native-access=ALL-UNNAMED");
         }
-        // what the drawing library and the viewer reach into
+        // packages that the drawing library and the viewer access
         for (String open : List.of("java.desktop/sun.awt", "java.desktop/sun.java2d", "java.base/java.lang")) {
             command.add("--add-exports=" + open + "=ALL-UNNAMED");
             command.add("--add-opens=" + open + "=ALL-UNNAMED");
@@ -131,7 +134,7 @@ final class JaerFolder {
         return command;
     }
 
-    /** The jar, or folder of classes, that this class is in. */
+    /** The jar, or the folder of classes, that holds this class. */
     private static Path ownJar() {
         try {
             return Path.of(JaerFolder.class.getProtectionDomain().getCodeSource().getLocation().toURI());

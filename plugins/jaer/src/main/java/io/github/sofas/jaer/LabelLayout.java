@@ -3,11 +3,13 @@ package io.github.sofas.jaer;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Places for labels in a picture: beside what they name, none over another, all within the picture. */
+/**
+ * Finds places for labels in a picture: beside the structures that they name, without overlaps, and within the picture.
+ */
 final class LabelLayout {
-    /** Between a label and what it names, in screen pixels. */
+    /** Distance between a label and the structure that it names, in screen pixels. */
     static final float GAP = 3;
-    /** How far from it a place is looked for, in heights of the label. */
+    /** Range of the search for a place, in heights of the label upwards and downwards, in quarter widths sideways. */
     private static final int FARTHEST = 12;
 
     private final Box picture;
@@ -17,15 +19,16 @@ final class LabelLayout {
         picture = new Box(0, 0, width, height);
     }
 
-    /** Keeps labels off. */
+    /** Keeps labels off a part of the picture. */
     void take(Box box) {
         taken.add(box);
     }
 
     /**
-     * Finds the nearest free place for a label and takes it: above, below or beside what it names, else farther off.
+     * Finds the nearest free place for a label and takes it: above, below or beside the named structure, or else
+     * farther off.
      *
-     * @return null where there is none
+     * @return the place; null if there is none
      */
     Box place(Box named, float width, float height) {
         List<Box> beside = List.of(Box.of(named.left(), named.top() + GAP, width, height),
@@ -56,7 +59,9 @@ final class LabelLayout {
         return nearest;
     }
 
-    /** Moved sideways into the picture; null where it is above or below it, or would lie on what it names. */
+    /**
+     * Moves a box sideways into the picture; null if it is above or below the picture, or would lie on the structure.
+     */
     private Box within(Box box, Box named) {
         float left = Math.max(0, Math.min(box.left(), picture.right() - box.width()));
         Box moved = Box.of(left, box.bottom(), box.width(), box.height());

@@ -6,14 +6,15 @@ import java.util.Arrays;
 import net.sf.jaer.event.PolarityEvent;
 
 /**
- * The polarity events of a packet of jAER, in the engine's axes, and what the engine says of them. Used again and
- * again; its arrays grow to the largest packet. One thread at a time: the viewer's, the engine's, the viewer's.
+ * The polarity events of a packet of jAER, in the engine's axes, and the flow that the engine gives them. Packets are
+ * reused, and their arrays grow to the size of the largest packet. One thread at a time uses a packet: first the
+ * viewer's, then the engine's, then the viewer's again.
  */
 final class LabelledPacket {
     private EventBatch batch = new EventBatch(4096);
     private FlowOutput flow = new FlowOutput(4096);
     private PolarityEvent[] events = new PolarityEvent[4096];
-    /** Copies that outlive the packet, which jAER uses again. */
+    /** Copies of events that outlive jAER's packet, which jAER reuses. */
     private PolarityEvent[] copies = new PolarityEvent[0];
     private Snapshot snapshot;
     private long readNs;
@@ -24,7 +25,7 @@ final class LabelledPacket {
         snapshot = null;
     }
 
-    /** Adds an event; its time is set later. */
+    /** Adds an event. The engine's time of the event is set later. */
     void add(PolarityEvent event, int y) {
         int n = batch.size();
         if (n == batch.capacity()) {
@@ -44,7 +45,7 @@ final class LabelledPacket {
         events = Arrays.copyOf(events, larger.capacity());
     }
 
-    /** Makes it independent of the packet that it was read from. */
+    /** Copies the events, so that they no longer depend on jAER's packet. */
     void keepEvents() {
         int n = batch.size();
         int before = copies.length;
@@ -65,17 +66,17 @@ final class LabelledPacket {
         return batch;
     }
 
-    /** Where the engine puts their flow. */
+    /** The flow of the events, which the engine writes. */
     FlowOutput flow() {
         return flow;
     }
 
-    /** An event as jAER has it. */
+    /** An event as an object of jAER. */
     PolarityEvent event(int i) {
         return events[i];
     }
 
-    /** What the engine knew after it; null where nobody asked. */
+    /** The state of the engine after this packet; null if no snapshot was wanted. */
     Snapshot snapshot() {
         return snapshot;
     }

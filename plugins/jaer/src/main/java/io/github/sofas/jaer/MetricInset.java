@@ -5,14 +5,17 @@ import io.github.sofas.flow.MetricArray;
 import io.github.sofas.flow.SofasParameters.Preset;
 import java.util.Locale;
 
-/** The metrics of the flow plane as a small picture: beside the sensor where there is room, else on it. */
+/**
+ * Draws the metrics of the flow plane as a small picture, the inset: beside the sensor if there is room, or else on the
+ * sensor.
+ */
 final class MetricInset {
-    /** Metric an event of white, at least: so that chance stays dark. */
+    /** Least metric per event that is drawn white, so that chance stays dark. */
     private static final float WHITE = 2;
-    /** Steps of a sector's arc. */
+    /** Number of straight steps that approximate the arc of a sector. */
     private static final int ARC = 4;
     private static final float MARGIN = 4;
-    /** Side as a share of the shorter side of the sensor, and the least that is of use, in screen pixels. */
+    /** Side of the inset as a share of the sensor's shorter side; and the least useful side, in screen pixels. */
     private static final float SHARE = 0.3f;
     private static final float LEAST = 60;
 
@@ -20,8 +23,8 @@ final class MetricInset {
     }
 
     /**
-     * Where it lies: right of the sensor, left, below or above, where its title fits there, else in the sensor's lower
-     * right corner.
+     * The place of the inset: right of the sensor, left, below or above, if there is room for it and for its title; or
+     * else in the sensor's lower right corner.
      */
     static Box place(View view, Box sensor, float titleHeight) {
         float wanted = Math.max(LEAST, Math.round(SHARE * Math.min(sensor.width(), sensor.height())));
@@ -41,7 +44,7 @@ final class MetricInset {
         return Box.of(sensor.right() - MARGIN - side, below >= above ? MARGIN : sensor.top() + MARGIN, side, side);
     }
 
-    /** What it shows, and from what to what. */
+    /** The title: what the inset shows, and its range. */
     static String title(Snapshot now) {
         return now.parameters().preset() == Preset.PAPER
             ? String.format(Locale.ROOT, "search: angles along x, y; 45 deg = %.0f px/s",
@@ -50,7 +53,7 @@ final class MetricInset {
                 now.parameters().search().slowestPxPerS(), now.parameters().search().fastestPxPerS());
     }
 
-    /** Draws it, in screen pixels: what is chance can be seen through, the greatest metric is white. */
+    /** Draws the inset, in screen pixels: chance is translucent, the greatest metric is white. */
     static void draw(GL2 gl, MetricArray metrics, Box box) {
         int n = metrics.n();
         float white = WHITE;
@@ -66,7 +69,7 @@ final class MetricInset {
                 float bright = Math.max(0, metrics.perEvent(row, column) - 1) / (white - 1);
                 gl.glColor4f(bright, bright, bright, 0.25f + 0.6f * bright);
                 if (metrics.preset() == Preset.PAPER) {
-                    // rows are angles along y, positive down
+                    // rows are angles along y, which is positive downwards
                     quad(gl, box.left() + column * side, box.bottom() + (n - 1 - row) * side, side, side);
                 } else {
                     sector(gl, box, n, row, column);
@@ -83,7 +86,7 @@ final class MetricInset {
         gl.glVertex2f(left, bottom + height);
     }
 
-    /** A ring's part around a direction; the innermost ring begins a step off the centre. */
+    /** Draws the part of a ring around one direction. The innermost ring begins one step off the centre. */
     private static void sector(GL2 gl, Box box, int n, int ring, int direction) {
         float x = (box.left() + box.right()) / 2;
         float y = (box.bottom() + box.top()) / 2;
@@ -92,7 +95,7 @@ final class MetricInset {
         for (int k = 0; k < ARC; k++) {
             double from = 2 * Math.PI * (direction + 0.5 * (ring & 1) - 0.5 + (double) k / ARC) / n;
             double to = from + 2 * Math.PI / n / ARC;
-            // angles of the engine turn towards y down
+            // the engine's angles turn from x towards y, which points down
             gl.glVertex2f(x + inner * (float) Math.cos(from), y - inner * (float) Math.sin(from));
             gl.glVertex2f(x + outer * (float) Math.cos(from), y - outer * (float) Math.sin(from));
             gl.glVertex2f(x + outer * (float) Math.cos(to), y - outer * (float) Math.sin(to));

@@ -9,22 +9,22 @@ import net.sf.jaer.event.EventPacket;
 import net.sf.jaer.event.PolarityEvent;
 
 /**
- * Reads the polarity events of a packet of jAER for the engine: y turned, time unwrapped, what is no event of the
- * sensor left out.
+ * Reads the polarity events of a packet of jAER for the engine. It converts y to the engine's axes, unwraps the time,
+ * and leaves out special events and events outside the sensor.
  */
 final class PacketAdapter {
-    /** A step back by more than this is no disorder but a clock set to zero, or a loop of a recording. */
+    /** A step back by more than this is not disorder, but a clock set to zero or a recording that starts again. */
     private static final int DISORDER_US = 10_000;
-    /** How many of the events that follow say whether it is: half of them must go on from it. */
+    /** Number of following events that decide whether a step back is real: half of them must continue from it. */
     private static final int WITNESSES = 8;
-    /** Time that passes for the engine when a clock was set: no event lives so long. */
+    /** Time that passes for the engine when a clock was set to zero: no event lives so long. */
     private static final long FORGOTTEN_US = 120_000_000;
 
     private int lastTimestamp;
     private long timeUs;
     private boolean started;
 
-    /** Takes the events of a packet. */
+    /** Reads the events of a packet. */
     void read(EventPacket<?> packet, SensorSize sensor, LabelledPacket into) {
         into.clear();
         Iterator<?> iterator = packet.iterator();
@@ -43,7 +43,7 @@ final class PacketAdapter {
         }
     }
 
-    /** Time of an event for the engine. */
+    /** The time of an event for the engine. */
     private long unwrap(LabelledPacket packet, int i) {
         int timestamp = packet.event(i).timestamp;
         if (!started) {
@@ -65,7 +65,7 @@ final class PacketAdapter {
         return timeUs;
     }
 
-    /** Whether the events behind one that steps back lie nearer to it than to the one before. */
+    /** Whether the events after one that steps back are nearer in time to that event than to the event before it. */
     private boolean othersGoOnFrom(LabelledPacket packet, int i) {
         int asked = Math.min(WITNESSES, packet.batch().size() - 1 - i);
         int from = packet.event(i).timestamp;
@@ -77,13 +77,13 @@ final class PacketAdapter {
         return 2 * goOn >= asked;
     }
 
-    /** All objects of a packet, with the samples of an inertial sensor where it has them. */
+    /** All objects of a packet, including samples of an inertial sensor if the packet has them. */
     static Iterator<? extends BasicEvent> all(EventPacket<?> packet) {
         return packet instanceof ApsDvsEventPacket ? ((ApsDvsEventPacket<? extends ApsDvsEvent>) packet).fullIterator()
             : packet.iterator();
     }
 
-    /** Begins anew: the next event's time is taken as it is. */
+    /** Starts again: the time of the next event is taken as it is. */
     void reset() {
         started = false;
     }

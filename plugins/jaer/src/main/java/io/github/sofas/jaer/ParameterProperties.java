@@ -10,18 +10,22 @@ import net.sf.jaer.Preferred;
 import net.sf.jaer.chip.AEChip;
 
 /**
- * The parameters of {@link SofasParameters} as properties that jAER finds by their getters and setters, shows, and
- * keeps in its preferences; here what all have in common, while the getters and setters are generated. Setters may be
- * called by any thread; a value outside its bounds is moved into them, with a line in the log.
+ * The parameters of {@link SofasParameters} as properties of the filter. jAER finds properties by their getters and
+ * setters, shows them, and keeps them in its preferences. This class holds what all properties have in common; their
+ * getters and setters are generated. Any thread may call the setters. A value outside its bounds is moved into them,
+ * with a line in the log.
  */
 @SuppressWarnings("unchecked") // jAER overrides a typed method by a raw one
 public abstract class ParameterProperties extends AbstractMotionFlowIMU {
-    /** jAER sorts groups by name: those of SOFAS come before its own. */
+    /** Group of the preset. jAER sorts groups by name: with these names, those of SOFAS come before its own. */
     private static final String METHOD = "0: SOFAS";
-    /** What the groups of parameters decide, as the user sees it. */
+    /** Groups of the parameters, named for the user by what they decide. */
     private static final List<String> GROUPS = List.of("1: SOFAS: what is found", "2: SOFAS: how long it is followed",
         "4: SOFAS: paper preset only");
-    /** Of the family: for flow of single events, which is smoothed, spread and judged one by one. */
+    /**
+     * Hidden properties of the family: meant for flow of single events, which is smoothed, spread and judged one by
+     * one.
+     */
     private static final List<String> MEANINGLESS = List.of("refractoryPeriodUs", "timestampGapThresholdUs",
         "warnNonmonotonicTimestamps", "subSampleShift", "speedControlEnabled", "speedControl_ExcessSpeedRejectFactor",
         "speedControl_SpeedMixingFactor", "discardOutliersEnabled", "outlierMotionFilteringEnabled", "epsilon",
@@ -39,7 +43,7 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         values = new ParameterValues(SofasParameters.of(storedPreset()));
         setPropertyTooltip(METHOD, "preset", "<html>which method the others belong to, and their values when it is"
             + " chosen:<br>DEFAULT is most accurate and fast, PAPER is the method as published; default DEFAULT");
-        // twice, because one may bound another that comes before it
+        // twice, because a parameter may bound another that comes before it
         restore();
         restore().forEach(log::warning);
         List<String> groups = ParameterHandle.all().stream().map(ParameterHandle::group).distinct().toList();
@@ -61,7 +65,7 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         return Preset.DEFAULT;
     }
 
-    /** Sets what the preferences say; returns what was wrong with it. */
+    /** Sets the parameters from the preferences; returns a message for each value that had to be changed. */
     private List<String> restore() {
         List<String> wrong = new ArrayList<>();
         SofasParameters preset = SofasParameters.of(values.parameters().preset());
@@ -85,7 +89,7 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         return values.parameters();
     }
 
-    /** Is called after each change, by the thread that made it. */
+    /** Is called after each change, by the thread that made the change. */
     protected abstract void parametersChanged();
 
     final double number(String name) {
@@ -96,7 +100,7 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         return values.isOn(name);
     }
 
-    /** The decimal number that a float stands for: 0.15f is 0.15, not 0.15000000596. */
+    /** The decimal number that a float represents: 0.15f is 0.15, not 0.15000000596. */
     private static double exactly(float value) {
         return Double.parseDouble(Float.toString(value));
     }
@@ -130,19 +134,19 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         }
     }
 
-    /** The control is told after the field is set, and also where it shows another value than was taken. */
+    /** Notifies the control, after the field is set; also if the control shows another value than the one taken. */
     private void changed(String name, Object old, Object taken, Object asked) {
         parametersChanged();
         getSupport().firePropertyChange(name, taken.equals(asked) ? old : asked, taken);
     }
 
-    /** Which method the other parameters belong to. */
+    /** The preset: the method that the other parameters belong to. */
     @Preferred
     public Preset getPreset() {
         return values.parameters().preset();
     }
 
-    /** Takes over all values of a preset. */
+    /** Sets all parameters to the values of a preset. */
     public void setPreset(Preset preset) {
         if (preset != null && preset != getPreset()) {
             takeOver(preset);
@@ -177,7 +181,7 @@ public abstract class ParameterProperties extends AbstractMotionFlowIMU {
         }
     }
 
-    /** A value in the type that a control has. */
+    /** A value in the type of its control. */
     private static Object shown(ParameterHandle handle, SofasParameters parameters) {
         Object value = handle.get(parameters);
         if (value instanceof Double) {

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The parameters as the viewer's controls change them, one at a time and from any thread. Whatever is asked for, there
- * is always a valid record: a value outside its bounds, or beyond another parameter that bounds it, is moved to the
- * nearest bound.
+ * The parameters as the viewer's controls change them: one at a time, and from any thread. The record of parameters is
+ * always valid, whatever value is requested. A value outside its bounds, or beyond another parameter that bounds it, is
+ * moved to the nearest bound.
  */
 final class ParameterValues {
     private SofasParameters parameters;
@@ -34,7 +34,7 @@ final class ParameterValues {
     /**
      * Sets a number, moved into its bounds.
      *
-     * @return what was wrong with the value, empty where it was taken as it is
+     * @return a message on what was wrong with the value; empty if the value was taken as it is
      */
     synchronized String set(String name, double value) {
         ParameterHandle handle = ParameterHandle.named(name);
@@ -58,7 +58,7 @@ final class ParameterValues {
         return number(name) == Parameter.ON;
     }
 
-    /** What a control says of a parameter. */
+    /** The tooltip of a parameter's control. */
     static String tooltip(ParameterHandle handle) {
         Parameter parameter = handle.declaration();
         StringBuilder text = new StringBuilder("<html>").append(parameter.value()).append("<br>");

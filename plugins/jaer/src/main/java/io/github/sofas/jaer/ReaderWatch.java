@@ -8,15 +8,16 @@ import net.sf.jaer.eventio.AEInputStream;
 import net.sf.jaer.graphics.AEViewer;
 
 /**
- * Hears when the reader of a recording begins again or is moved. The viewer resets its filters where it rewinds a
- * recording, but the readers of AEDAT 4 and of Metavision's files also do so by themselves, at their end and at marks.
- * They tell it by any thread, some while they are locked: so what they say is only noted, for the next packet.
+ * Notices when the reader of a recording starts again or is moved. The viewer resets its filters when it rewinds a
+ * recording. But the readers of AEDAT 4 and of Metavision's files also rewind by themselves, at their end and at marks.
+ * They report this on any thread, some of them while they are locked. Therefore this class only notes the report, for
+ * the next packet.
  */
 final class ReaderWatch implements PropertyChangeListener {
     private AEFileInputStreamInterface reader;
     private volatile boolean moved;
 
-    /** Listens to the reader that the viewer has now, and to no other. */
+    /** Listens to the present reader of the viewer, and to no other. */
     void follow(AEChip chip) {
         AEViewer viewer = chip.getAeViewer();
         AEFileInputStreamInterface now = viewer == null || viewer.getAePlayer() == null ? null
@@ -40,7 +41,7 @@ final class ReaderWatch implements PropertyChangeListener {
         }
     }
 
-    /** Whether it was moved since this was asked last. */
+    /** Whether the reader was moved since the last call. */
     boolean takeMoved() {
         boolean was = moved;
         moved = false;

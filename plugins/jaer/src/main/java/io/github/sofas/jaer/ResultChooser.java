@@ -8,16 +8,16 @@ import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 
-/** Asks the user for the name of results, and before it overwrites some. */
+/** Asks the user for the name of result files, and for consent before existing files are overwritten. */
 final class ResultChooser {
     private ResultChooser() {
     }
 
     /**
-     * Shows the dialogs, on the thread of the windows.
+     * Shows the dialogs; called on the thread of the windows.
      *
-     * @param last what was chosen last
-     * @return null where the user does not want to
+     * @param last the name that was chosen last
+     * @return the chosen name; null if the user cancels
      */
     static Path choose(Component above, String last) {
         JFileChooser chooser = new JFileChooser();

@@ -5,13 +5,13 @@ import java.awt.Font;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Text in screen pixels, white with a dark outline, which can be read on any picture. */
+/** Draws lines of text in screen pixels, white with a dark outline, so that they are legible on any picture. */
 final class ScreenText {
-    /** Of the letters' height: how far a line's background reaches below and above its base line. */
+    /** Extent of a line's background below and above the base line, as a share of the letters' height. */
     private static final float DESCENT = 0.25f;
     private static final float ASCENT = 1.05f;
 
-    /** One line, in its box. */
+    /** One line of text, and the box that holds it. */
     record Line(String text, Box box) {
     }
 
@@ -19,7 +19,7 @@ final class ScreenText {
     private TextRenderer renderer;
     private int size;
 
-    /** Begins a picture with letters of a height in screen pixels. */
+    /** Begins a picture, with letters of the given height in screen pixels. */
     void begin(int letters) {
         lines.clear();
         if (letters != size) {
@@ -27,14 +27,14 @@ final class ScreenText {
                 renderer.dispose();
             }
             renderer = new TextRenderer(new Font(Font.SANS_SERIF, Font.PLAIN, letters), true, true);
-            // some drivers draw nothing otherwise, jAER does the same
+            // otherwise some drivers draw nothing; jAER does the same
             renderer.setUseVertexArrays(false);
             size = letters;
         }
     }
 
     float width(String text) {
-        // a hair of background on both sides
+        // a little background on both sides
         return (float) renderer.getBounds(text).getWidth() + 4;
     }
 
@@ -50,7 +50,7 @@ final class ScreenText {
         return lines;
     }
 
-    /** All at once: changes of state cost more than letters. */
+    /** Draws all lines at once, because changes of GL's state cost more than letters. */
     void draw(View view) {
         if (lines.isEmpty()) {
             return;

@@ -18,40 +18,40 @@ import net.sf.jaer.event.PolarityEvent;
 import net.sf.jaer.event.orientation.ApsDvsMotionOrientationEvent;
 
 /**
- * Runs one of jAER's motion-flow filters on events from the standard input and writes their flow to the standard
- * output, without a viewer: {@code FILTER WIDTH HEIGHT}. {@link StartFilter} starts it. All numbers big-endian, axes of
- * the engine.
+ * Runs one of jAER's motion-flow filters, without a viewer, on events from the standard input, and writes their flow to
+ * the standard output. Its arguments are {@code FILTER WIDTH HEIGHT}. {@link StartFilter} starts this program with
+ * jAER's classes. All numbers are big-endian; the axes are the engine's.
  *
- * <p>In: number of events, then time in µs, x, y, polarity of each (long, short, short, byte); a number below 0 ends.
- * Out: {@value #READY} once; then for each packet the filter's ns, then vx and vy, NaN without flow, and the segment of
- * each event (float, float, int).
+ * <p>Input, per packet: the number of events, then time in µs, x, y and polarity of each (long, short, short, byte). A
+ * number below 0 ends the program. Output: {@value #READY} once. Then, per packet: the time that the filter took in ns,
+ * then vx, vy (NaN without flow) and the segment of each event (float, float, int).
  */
 public final class ServeFilter {
-    /** Is written when the filter is ready. */
+    /** The number that is written when the filter is ready. */
     public static final int READY = 0x50fa5;
     private static final String CHIP = "ch.unizh.ini.jaer.chip.retina.DVS128";
 
     private ServeFilter() {
     }
 
-    /** Serves until told to end; ends with 1 and a stack trace where it cannot. */
+    /** Serves until the input ends it; ends with exit code 1 and a stack trace after any failure. */
     public static void main(String[] arguments) {
         int code = 1;
         try {
             serve(arguments[0], Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
             code = 0;
         } catch (Throwable e) {
-            // errors of classes and of the display too: a thread of jAER would keep this process alive without it
+            // also errors of class loading and of the display: otherwise a thread of jAER would keep this process alive
             e.printStackTrace();
         }
-        // not exit, whose hooks of jAER may wait for a display
+        // not exit: hooks of jAER may wait for a display
         Runtime.getRuntime().halt(code);
     }
 
     private static void serve(String filterClass, int width, int height) throws Exception {
         DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new FileOutputStream(FileDescriptor.out),
             1 << 16));
-        // what jAER prints must not get among the numbers
+        // text that jAER prints must not get between the numbers
         System.setOut(new PrintStream(new FileOutputStream(FileDescriptor.err), true));
         DataInputStream in = new DataInputStream(new BufferedInputStream(System.in, 1 << 16));
         AEChip chip = (AEChip) Class.forName(CHIP).getConstructor().newInstance();
@@ -75,7 +75,7 @@ public final class ServeFilter {
         try {
             return (AbstractMotionFlowIMU) constructor.newInstance(chip);
         } catch (ReflectiveOperationException e) {
-            // some store their first preferences and fail, once
+            // at their first construction, some filters store preferences and fail; the second succeeds
             return (AbstractMotionFlowIMU) constructor.newInstance(chip);
         }
     }
@@ -101,7 +101,7 @@ public final class ServeFilter {
         int i = 0;
         for (BasicEvent labelled : flow) {
             ApsDvsMotionOrientationEvent event = (ApsDvsMotionOrientationEvent) labelled;
-            // filters drop events, but keep their order
+            // filters drop events, but keep the order of the others
             while (i < n && !isSame(sent[i], event)) {
                 write(out, Float.NaN, Float.NaN, 0);
                 i++;

@@ -6,7 +6,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.logging.Logger;
 
-/** What is being written while the user has switched it on. Packets and segments come by the engine's thread. */
+/**
+ * The files that are written while the user has a session switched on. Packets and segments come on the engine's
+ * thread.
+ */
 final class Session {
     private final Logger log;
     private volatile SessionLog files;
@@ -27,7 +30,7 @@ final class Session {
         return files != null;
     }
 
-    /** Whether it is on, but can write no more. */
+    /** Whether the session is on, but cannot write any more. */
     boolean hasFailed() {
         SessionLog now = files;
         return now != null && now.hasFailed();
@@ -47,7 +50,7 @@ final class Session {
         }
     }
 
-    /** Ends it, with the segments that are tracked now. */
+    /** Ends the session, with the segments that are tracked now. */
     void end(List<Segment> living) {
         SessionLog ending = files;
         files = null;

@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Flow, segments and tracks in files as the runner writes them: NAME.flow.csv, NAME.segments.csv, NAME.tracks.csv, with
- * its columns, digits and axes. Any thread may use it.
+ * Writes flow, segments and tracks to files as the runner does: NAME.flow.csv, NAME.segments.csv and NAME.tracks.csv,
+ * with the runner's columns, digits and axes. Any thread may use a log.
  */
 final class SessionLog {
     private static final List<String> KINDS = List.of(".flow.csv", ".segments.csv", ".tracks.csv");
@@ -36,7 +36,7 @@ final class SessionLog {
         segmentsOut = segments;
     }
 
-    /** Its files that are there already. */
+    /** The files of a log of this name that exist already. */
     static List<Path> existing(Path name) {
         return KINDS.stream().map(kind -> file(name, kind)).filter(Files::exists).toList();
     }
@@ -46,9 +46,9 @@ final class SessionLog {
     }
 
     /**
-     * Begins the files, in the place of those that are there.
+     * Opens the files, and replaces existing ones.
      *
-     * @throws IOException where one cannot be written
+     * @throws IOException if a file cannot be written
      */
     static SessionLog open(Path name) throws IOException {
         List<OutputStream> open = new ArrayList<>();
@@ -65,7 +65,7 @@ final class SessionLog {
         }
     }
 
-    /** Adds the events of a packet; does nothing after a failure, which {@link #close} tells. */
+    /** Adds the events of a packet; does nothing after a failure, which {@link #close} reports. */
     synchronized void add(EventBatch batch, FlowOutput output) {
         if (failure == null) {
             try {
@@ -78,7 +78,7 @@ final class SessionLog {
         }
     }
 
-    /** Adds a segment that ended. */
+    /** Adds a segment that has ended. */
     synchronized void add(Segment segment) {
         ended.add(segment);
     }
@@ -92,11 +92,11 @@ final class SessionLog {
     }
 
     /**
-     * Ends the files.
+     * Completes and closes the files.
      *
      * @param living segments that are tracked now
-     * @return what was done, for the log
-     * @throws IOException where something could not be written, now or before
+     * @return a message about the files, for jAER's log
+     * @throws IOException if anything could not be written, now or before
      */
     synchronized String close(List<Segment> living) throws IOException {
         List<Segment> all = new ArrayList<>(ended);

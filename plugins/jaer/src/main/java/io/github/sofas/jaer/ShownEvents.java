@@ -5,11 +5,11 @@ import io.github.sofas.flow.FlowOutput;
 import java.util.Arrays;
 
 /**
- * The events of a picture, with their flow: those of all packets since the last picture, for live a packet may be much
- * shorter than that. Where none is drawn for long, the newest are kept.
+ * The events of one picture, with their flow. They come from all packets since the last picture, because a live packet
+ * may be much shorter than the time between pictures. If no picture is drawn for long, only the newest events are kept.
  */
 final class ShownEvents {
-    /** So many are of no use in one picture, but cost memory. */
+    /** Most events that are kept: more are of no use in one picture, but cost memory. */
     static final int MOST = 1 << 18;
 
     private short[] x = new short[4096];
@@ -21,7 +21,7 @@ final class ShownEvents {
     private int withFlow;
     private boolean drawn;
 
-    /** Adds the events of a packet; begins anew where those before have been drawn. */
+    /** Adds the events of a packet; begins a new picture if the events before have been drawn. */
     void add(EventBatch batch, FlowOutput flow) {
         if (drawn) {
             clear();
@@ -64,7 +64,7 @@ final class ShownEvents {
         }
     }
 
-    /** The picture is complete: it may be drawn again, but the next packet begins another. */
+    /** Notes that the picture is complete: it may be drawn again, but the next packet begins another picture. */
     void setDrawn() {
         drawn = true;
     }

@@ -10,18 +10,19 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What the engine knew after a packet, to be drawn while it labels the next.
+ * The state of the engine after a packet, as far as it is drawn. The viewer draws this copy while the engine labels the
+ * next packet.
  *
- * @param sensor whose events it labels
- * @param parameters that it labels with
- * @param segments that are tracked
- * @param contours x and y in turn of each segment's contour cells; empty where they are not shown
- * @param metrics of the flow plane; null where they are not shown
+ * @param sensor size of the sensor
+ * @param parameters parameters of the engine
+ * @param segments segments that are tracked
+ * @param contours contour cells of each segment, x and y in turn; empty if they are not shown
+ * @param metrics metrics of the flow plane; null if they are not shown
  */
 record Snapshot(SensorSize sensor, SofasParameters parameters, List<Segment> segments, List<short[]> contours,
                 MetricArray metrics) {
 
-    /** Takes down what is there now. */
+    /** Copies the present state of an engine. */
     static Snapshot of(Sofas sofas, boolean withContours, boolean withMetrics) {
         List<Segment> segments = sofas.segments();
         List<short[]> contours = new ArrayList<>();

@@ -8,8 +8,9 @@ import java.util.Set;
 import java.util.logging.Logger;
 
 /**
- * Makes jAER 3.3 list the filter, with {@code -javaagent:sofas-jAER.jar}: it loads only classes of a list inside its
- * own jar, which it reads once, so that the name is added to what it read. Releases without such a list need nothing.
+ * Java agent, for {@code -javaagent:sofas-jAER.jar}, that enters the filter in the list of jAER 3.3. That release loads
+ * only classes of a list inside its own jar. It reads the list once, and the agent adds the filter's name to the names
+ * that were read. Releases without such a list need no agent.
  */
 public final class SofasAgent {
     private static final Logger LOG = Logger.getLogger("net.sf.jaer");
@@ -18,7 +19,7 @@ public final class SofasAgent {
     private SofasAgent() {
     }
 
-    /** Is called by the virtual machine before jAER starts. */
+    /** Enters the filter; the virtual machine calls this before jAER starts. */
     public static void premain(String arguments, Instrumentation instrumentation) {
         try {
             allow(Class.forName(LIST));
@@ -37,7 +38,7 @@ public final class SofasAgent {
         Map<String, Set<String>> names = (Map<String, Set<String>>) cache.get(null);
         for (String kind : JaerFolder.KINDS) {
             Class<?> type = Class.forName(kind, false, list.getClassLoader());
-            // reads the list into the cache; null where classes are not packed in a jar: then all are allowed
+            // reads the list into the cache; null if classes are not packed in a jar: then all are allowed
             Object read = list.getMethod("namesOrNullIfMissing", Class.class).invoke(null, type);
             if (read != null) {
                 Set<String> more = new LinkedHashSet<>(names.get(kind));

@@ -27,11 +27,12 @@ import net.sf.jaer.event.PolarityEvent;
 import net.sf.jaer.graphics.AEViewer;
 
 /**
- * SOFAS in jAER, of the family of motion-flow filters: jAER's own statistics, ground truth, colour wheel and output
- * events serve it as they serve Lucas-Kanade.
+ * SOFAS as a filter of jAER, in its family of motion-flow filters. jAER's own statistics, ground truth, colour wheel
+ * and output events work with this filter as they do with Lucas-Kanade.
  *
- * <p>Packets come on the viewer's thread, drawing and buttons on that of the windows; both take the filter's monitor.
- * The engine labels on a thread of its own, which takes no monitor of the filter. Parameters do not take it either.
+ * <p>Packets arrive on the viewer's thread; drawing and buttons run on the thread of the windows. Both threads take the
+ * filter's monitor. The engine labels on a thread of its own, which does not take the filter's monitor. Changes of
+ * parameters do not take the monitor either.
  */
 @Description("SOFAS: optical flow (motion, velocity) of every event, and segmentation and tracking of what moves"
     + " (simultaneous optical flow and segmentation, Stoffregen and Kleeman 2017)")
@@ -45,28 +46,28 @@ public class SofasFlow extends DrawingProperties {
     private final ReaderWatch watch = new ReaderWatch();
     private final ShownEvents shownEvents = new ShownEvents();
     private final Session session = new Session(log);
-    /** A picture was drawn: the engine takes down what it knows after the next packet. */
+    /** Whether a picture was drawn since the last snapshot: the engine then makes one after the next packet. */
     private final AtomicBoolean snapshotWanted = new AtomicBoolean(true);
     private volatile Engine engine;
     private LabelledPacket last = new LabelledPacket();
     private Snapshot snapshot;
 
-    /** Is called by jAER. */
+    /** Makes a filter for a chip; jAER calls this. */
     public SofasFlow(AEChip chip) {
         super(chip);
         numInputTypes = 2;
-        // what the family does to flow of single events: flow of whole structures needs neither
+        // the family does both to flow of single events; flow of whole structures needs neither
         if (!isPreferenceStored("speedControlEnabled")) {
             setSpeedControlEnabled(false);
         }
         if (!isPreferenceStored("displayVectorsEnabled")) {
             setDisplayVectorsEnabled(false);
         }
-        // costs jAER half as much again as the engine, and is one motion for all structures
+        // takes jAER half as much time as the engine takes, and gives one motion for all structures
         if (!isPreferenceStored("displayGlobalMotion")) {
             setDisplayGlobalMotion(false);
         }
-        // would ask for a calibration of the inertial sensor at each rewind
+        // would ask for a calibration of the inertial sensor at each rewind of a recording
         if (!isPreferenceStored("measureAccuracy")) {
             putBoolean("measureAccuracy", false);
             measureAccuracy = false;
@@ -108,12 +109,18 @@ public class SofasFlow extends DrawingProperties {
         return isDisplayRawInput() ? in : dirPacket;
     }
 
-    /** Whether flow must be that of the same packet: for other filters, and for what jAER measures. */
+    /**
+     * Whether each packet must wait for its own flow: as the user wishes, for other filters, or for jAER's
+     * measurements.
+     */
     private boolean isTogether() {
         return isEngineAwaited() || !isDisplayRawInput() || measureAccuracy || isMeasureProcessingTime();
     }
 
-    /** Whether there is an engine for the chip's sensor; a chip may get its size, and another, at any time. */
+    /**
+     * Whether there is an engine for the chip's sensor; makes one if needed. A chip may get its size, or another size,
+     * at any time.
+     */
     private boolean isReady() {
         int width = chip.getSizeX();
         int height = chip.getSizeY();
@@ -127,7 +134,7 @@ public class SofasFlow extends DrawingProperties {
                 engine.await();
             }
             engine = new Engine(new SensorSize(width, height), parameters(), session::add, this::labelled);
-            // a parameter that changed meanwhile
+            // a parameter may have changed meanwhile
             engine.sofas().setParameters(parameters());
             if (sensor != null) {
                 initFilter();
@@ -136,7 +143,7 @@ public class SofasFlow extends DrawingProperties {
         return true;
     }
 
-    /** On the engine's thread. */
+    /** Called on the engine's thread after each packet. */
     private void labelled(LabelledPacket packet) {
         if (snapshotWanted.compareAndSet(true, false)) {
             packet.setSnapshot(Snapshot.of(engine.sofas(), isContoursShown(), isMetricShown()));
@@ -145,9 +152,9 @@ public class SofasFlow extends DrawingProperties {
     }
 
     /**
-     * Hands what is labelled to jAER.
+     * Passes labelled packets on to jAER.
      *
-     * @param now the packet that was read from {@code in}; null where none was
+     * @param now the packet that was read from {@code in}; null if none was read
      */
     private void handOver(EventPacket<?> in, LabelledPacket now, boolean wait) {
         for (LabelledPacket done = engine.next(wait); done != null; done = engine.next(wait)) {
@@ -165,7 +172,7 @@ public class SofasFlow extends DrawingProperties {
         }
     }
 
-    /** Hands each event with its flow to jAER's family: statistics, global motion, output events. */
+    /** Passes each event with its flow to jAER's family of filters, for statistics, global motion and output events. */
     private void emit(LabelledPacket packet, Iterator<?> all) {
         FlowOutput flow = packet.flow();
         int shift = getSubSampleShift();
@@ -192,7 +199,9 @@ public class SofasFlow extends DrawingProperties {
         }
     }
 
-    /** Shows jAER's estimator of true motion what came before an event, and the event. */
+    /**
+     * Passes an event to jAER's estimator of true motion, and before it the inertial samples that preceded the event.
+     */
     private void measureTruth(Iterator<?> all, PolarityEvent event) {
         while (all.hasNext()) {
             Object next = all.next();
@@ -232,13 +241,13 @@ public class SofasFlow extends DrawingProperties {
     @Override
     public void propertyChange(PropertyChangeEvent change) {
         super.propertyChange(change);
-        // the family's base leaves this to its filters in some releases
+        // in some releases, the base class of the family leaves this to its filters
         if (AEViewer.EVENT_TIMESTAMPS_RESET.equals(change.getPropertyName()) && isFilterEnabled()) {
             resetFilter();
         }
     }
 
-    /** The events that were handed over last, in the engine's axes; from the thread that filters. */
+    /** The events that were passed on last, in the engine's axes; for the thread that filters. */
     public EventBatch lastBatch() {
         return last.batch();
     }
@@ -270,13 +279,13 @@ public class SofasFlow extends DrawingProperties {
     @Preferred
     public void doSetDefaults() {
         super.doSetDefaults();
-        // the family's defaults are for flow of single events
+        // the defaults of the family are meant for flow of single events
         setDisplayVectorsEnabled(false);
         setDisplayGlobalMotion(false);
         setSpeedControlEnabled(false);
     }
 
-    /** Button: forgets all. */
+    /** Button: forgets all events and segments. */
     @Preferred
     public synchronized void doReset() {
         resetFilter();
@@ -307,7 +316,7 @@ public class SofasFlow extends DrawingProperties {
         return engine == null ? List.of() : engine.sofas().segments();
     }
 
-    /** Button: asks for a name, and writes the last packet's flow and the living segments. */
+    /** Button: asks for a name, and writes the flow of the last packet and the living segments. */
     @Preferred
     public void doWriteCsv() {
         Path name = chooseName();
@@ -346,14 +355,14 @@ public class SofasFlow extends DrawingProperties {
 
     synchronized void endSession() {
         if (session.isOn()) {
-            // with the packets that are on their way
+            // the session includes the packets that are on their way
             finish();
             session.end(segments());
             releaseToggle();
         }
     }
 
-    /** By this jAER's panel shows that the session is over, whoever ended it. */
+    /** Has jAER's panel show that the session is over, whoever ended it. */
     private void releaseToggle() {
         SwingUtilities.invokeLater(() -> getSupport().firePropertyChange("doToggleOffWriteSession", null, false));
     }

@@ -1,8 +1,8 @@
 package io.github.sofas.jaer;
 
-/** What jAER shows where the user asks for help with the filter. */
+/** The help page that jAER shows when the user asks for help with the filter. */
 final class SofasHelp {
-    /** One page. */
+    /** The page, in HTML. */
     static final String TEXT = """
         <html>
         <h2>SOFAS</h2>

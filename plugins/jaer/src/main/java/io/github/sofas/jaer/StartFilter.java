@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * {@code JAER_FOLDER FILTER WIDTH HEIGHT}: starts {@link ServeFilter} with the jAER in a folder, on the standard input
- * and output of this process. Apart from it, because here jAER's classes are not to be had.
+ * Starts {@link ServeFilter} with the jAER in a folder, on the standard input and output of this process. Its arguments
+ * are {@code JAER_FOLDER FILTER WIDTH HEIGHT}. This is a program of its own, because it runs without jAER's classes.
  */
 public final class StartFilter {
     private StartFilter() {
     }
 
-    /** Ends as the other process does, or with 1 and a message where it cannot be started. */
+    /** Ends with the exit code of the other process, or with 1 and a message if that process cannot be started. */
     public static void main(String[] arguments) throws InterruptedException {
         try {
             System.exit(start(Path.of(arguments[0]), Arrays.asList(arguments).subList(1, arguments.length)));
@@ -30,7 +30,7 @@ public final class StartFilter {
         JaerFolder jaer = JaerFolder.of(folder);
         Path scratch = Files.createTempDirectory("sofas-compare");
         AtomicReference<Process> process = StartJaer.endedWithThis(scratch);
-        // neither the user's settings nor the traces of other viewers
+        // uses neither the user's settings nor the traces of other viewers
         List<String> options = List.of("-Djava.util.prefs.userRoot=" + scratch, "-Djava.io.tmpdir=" + scratch);
         List<String> command = new ArrayList<>(jaer.command(scratch, options, "io.github.sofas.jaer.ServeFilter"));
         command.addAll(arguments);

@@ -12,23 +12,25 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 
 /**
- * {@code java -jar sofas-jAER.jar [OPTION]... DIR [RECORDING]}: starts the jAER in a folder, with the filter in its
- * list; the options are for jAER's Java.
+ * Main class of the jar: {@code java -jar sofas-jAER.jar [OPTION]... DIR [RECORDING]} starts the jAER in a folder, with
+ * the filter in its list. The options go to jAER's Java.
  */
 public final class StartJaer {
     private static final String USAGE = "usage: java -jar sofas-jAER.jar [JAVA_OPTION]... JAER_FOLDER [RECORDING]\n"
         + "Starts the jAER in a folder, with SOFAS among its filters. Options as -Xmx4g and -Dname=value go to its"
         + " Java.";
-    /** Lets jAER 3 hand samples of the inertial sensor to its flow filters, which take true motion from them. */
+    /**
+     * Option that has jAER 3 pass samples of the inertial sensor to its flow filters, which take true motion from them.
+     */
     private static final String INERTIAL_SAMPLES = "-Djaer.legacyExtractBundle=";
 
-    /** jAER asks no one when it is told to end. */
+    /** Longest time that jAER may take to end: on a signal to end, it asks the user nothing. */
     private static final int LONGEST_END_S = 5;
 
     private StartJaer() {
     }
 
-    /** Ends with jAER's exit code, 1 where jAER cannot be started, 2 on wrong usage. */
+    /** Ends with jAER's exit code, with 1 if jAER cannot be started, or with 2 on wrong usage. */
     public static void main(String[] arguments) throws InterruptedException {
         int options = 0;
         while (options < arguments.length && arguments[options].startsWith("-")) {
@@ -65,7 +67,7 @@ public final class StartJaer {
         return run(command, jaer.folder(), process);
     }
 
-    /** What the user says goes before what is best. */
+    /** Adds the option for inertial samples, unless the user has set it to any value. */
     private static List<String> withInertialSamples(List<String> options) {
         List<String> all = new ArrayList<>(options);
         if (options.stream().noneMatch(option -> option.startsWith(INERTIAL_SAMPLES))) {
@@ -75,9 +77,9 @@ public final class StartJaer {
     }
 
     /**
-     * Takes a folder along when this process ends, also by a signal, and before it the process that uses it.
+     * Ends another process and then deletes the folder that it uses when this process ends, also by a signal.
      *
-     * @return where that process is put
+     * @return the reference that the caller sets to that process
      */
     static AtomicReference<Process> endedWithThis(Path scratch) {
         AtomicReference<Process> process = new AtomicReference<>();
@@ -85,7 +87,7 @@ public final class StartJaer {
         return process;
     }
 
-    /** Runs a command with input and output of this process; its exit code. */
+    /** Runs a command with the input and output of this process, and returns its exit code. */
     static int run(List<String> command, Path in, AtomicReference<Process> process)
             throws IOException, InterruptedException {
         process.set(new ProcessBuilder(command).directory(in.toFile()).inheritIO().start());
@@ -108,7 +110,7 @@ public final class StartJaer {
         }
     }
 
-    /** Deletes a folder with all that is in it. */
+    /** Deletes a folder with all that it contains. */
     private static void delete(Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {

@@ -19,11 +19,14 @@ import org.apache.hadoop.fs.Path;
 import org.apache.spark.SparkConf;
 import org.apache.spark.deploy.SparkHadoopUtil;
 
-/** Files of any file system that Hadoop opens. */
+/**
+ * Access to files on any file system that Hadoop opens, such as HDFS or S3. Both the driver and the executors use it
+ * for places that are not on their machine.
+ */
 final class HadoopStorage implements Storage {
     private final Configuration configuration;
 
-    /** With Hadoop's settings, and those of Spark's that are for Hadoop ({@code spark.hadoop.*}). */
+    /** Uses Hadoop's settings, and the settings of Spark that are meant for Hadoop ({@code spark.hadoop.*}). */
     HadoopStorage(SparkConf conf) {
         configuration = SparkHadoopUtil.get().newConfiguration(conf);
     }
@@ -37,7 +40,7 @@ final class HadoopStorage implements Storage {
         return "file".equals(FileSystem.getDefaultUri(configuration).getScheme());
     }
 
-    /** The place as a whole URI. */
+    /** The place as a complete URI. */
     String qualified(String place) throws IOException {
         try {
             Path path = new Path(place);
@@ -47,7 +50,7 @@ final class HadoopStorage implements Storage {
         }
     }
 
-    /** The files that a place or a pattern names, hidden ones left out, in the order of their places. */
+    /** The files that a place or a pattern names, without hidden ones, in the order of their places. */
     List<StoredFile> find(String pattern) throws IOException {
         Path path = new Path(pattern);
         FileSystem system = system(path);
@@ -104,7 +107,7 @@ final class HadoopStorage implements Storage {
         FileSystem system = system(target);
         String unique = UUID.randomUUID().toString();
         Path stage = new Path(staging);
-        // only within one file system is there a rename
+        // files can be renamed only within one file system
         Path part = system.equals(system(stage)) ? new Path(stage, unique)
             : new Path(target.getParent(), "." + unique + ".part");
         try {

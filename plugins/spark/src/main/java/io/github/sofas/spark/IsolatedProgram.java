@@ -15,13 +15,13 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 
 /**
- * The program with its own libraries, beside those of Spark. The jar holds them as they are installed elsewhere, in the
- * folder {@value #FOLDER}, and here they are loaded by a class loader of their own, which shares with Spark only the
- * JDK and the package {@code io.github.sofas.batch}.
+ * Loads the program with its own libraries, isolated from those of Spark. The jar of this plugin holds the program's
+ * jars, as they are installed elsewhere, in the folder {@value #FOLDER}. A class loader of their own loads them here.
+ * It shares with Spark only the JDK and the package {@code io.github.sofas.batch}.
  *
- * <p>Spark has some of the libraries in other versions, and an application's come after Spark's. Renaming their
- * packages would not do: zstd-jni's native part knows its classes by name, and of the classes for Parquet some stand in
- * for Hadoop's. With the same versions as everywhere, results have the same bytes as everywhere.
+ * <p>Spark has some of the libraries in other versions, which take precedence over those of an application. To rename
+ * their packages is no solution: the native part of zstd-jni knows its classes by name, and some of the classes for
+ * Parquet replace classes of Hadoop. With the same versions as everywhere, results have the same bytes as everywhere.
  */
 final class IsolatedProgram {
     private static final String FOLDER = "program/";
@@ -29,7 +29,7 @@ final class IsolatedProgram {
     private IsolatedProgram() {
     }
 
-    /** Loaded when it is first asked for, once in a process. */
+    /** Holds the program, which is loaded at its first use, once in a process. */
     private static final class Loaded {
         private static final BatchProgram PROGRAM = load();
     }
@@ -39,7 +39,7 @@ final class IsolatedProgram {
         return Loaded.PROGRAM;
     }
 
-    /** Passes on what both sides see, and nothing else of Spark's. */
+    /** Parent loader: passes on the classes that both sides share, and no others of Spark's side. */
     private static final class Shared extends ClassLoader {
         private static final String PACKAGE = "io.github.sofas.batch.";
 
@@ -66,7 +66,7 @@ final class IsolatedProgram {
         }
     }
 
-    /** Unpacked for this process: a class loader reads no jar that is inside another. */
+    /** Unpacks the libraries for this process, because a class loader cannot read a jar inside another. */
     private static List<URL> libraries() throws IOException {
         Path folder = Files.createTempDirectory("sofas-program");
         folder.toFile().deleteOnExit();

@@ -12,7 +12,10 @@ import org.apache.spark.TaskKilledException;
 import scala.collection.Iterator;
 import scala.runtime.AbstractFunction2;
 
-/** What an executor does with the one recording of a partition. */
+/**
+ * The function that an executor applies to the one recording of a partition: it has the program label the recording,
+ * and returns the row with the facts about the task.
+ */
 final class LabelTask extends AbstractFunction2<TaskContext, Iterator<BatchTask>, BatchRow> implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -21,11 +24,11 @@ final class LabelTask extends AbstractFunction2<TaskContext, Iterator<BatchTask>
     private final int mostAttempts;
 
     /**
-     * Makes it.
+     * Makes the function.
      *
-     * @param recordingName shows in Spark's UI which recording a task has
-     * @param mostAttempts after which a recording is given up, whose tasks took their processes with them: of too many,
-     *     Spark would give up the whole batch
+     * @param recordingName shows in Spark's UI which recording a task labels
+     * @param mostAttempts number of attempts after which a recording is given up, if each attempt died with its
+     *     process: after too many of them, Spark would give up the whole batch
      */
     LabelTask(BatchOrder order, ShownName recordingName, int mostAttempts) {
         this.order = order;

@@ -21,12 +21,12 @@ import org.apache.parquet.schema.PrimitiveType;
 import org.apache.parquet.schema.PrimitiveType.PrimitiveTypeName;
 import org.apache.parquet.schema.Types;
 
-/** The rows of a batch as a Parquet file, by the Parquet library that every Spark has. */
+/** Writes the rows of a batch as a Parquet file, with the Parquet library that every Spark includes. */
 final class RowTable {
     private RowTable() {
     }
 
-    /** Writes a file that is not there. */
+    /** Writes the rows to a file that does not exist yet. */
     static void write(List<BatchRow> rows, Path file) throws IOException {
         MessageType schema = schema();
         try (ParquetWriter<Group> writer = ExampleParquetWriter.builder(new LocalOutputFile(file)).withType(schema)

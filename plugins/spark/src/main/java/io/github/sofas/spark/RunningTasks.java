@@ -3,8 +3,9 @@ package io.github.sofas.spark;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The tasks that run in this process: with a local master all that run. Spark ends a local batch without waiting for
- * them, and what one of them still writes would be left behind.
+ * Counts the tasks that run in this process; with a local master, these are all running tasks. Spark ends a local batch
+ * without waiting for its tasks, so that files which a task still writes would be left behind. {@link #stop} waits for
+ * them.
  */
 final class RunningTasks {
     static final RunningTasks HERE = new RunningTasks();
@@ -15,7 +16,7 @@ final class RunningTasks {
     /**
      * Notes that a task begins.
      *
-     * @throws InterruptedException where none is to begin any more
+     * @throws InterruptedException if no task may begin any more
      */
     synchronized void begin() throws InterruptedException {
         if (stopped) {
@@ -30,7 +31,7 @@ final class RunningTasks {
         notifyAll();
     }
 
-    /** Lets no task begin any more, and waits until none runs, but no longer than some seconds. */
+    /** Allows no further task to begin, and waits until none runs, but at most that many s. */
     synchronized void stop(int mostS) {
         stopped = true;
         long untilNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(mostS);

@@ -2,7 +2,10 @@ package io.github.sofas.spark;
 
 import org.apache.spark.util.AccumulatorV2;
 
-/** A name that Spark's UI shows in the row of each task. The driver keeps the last one only. */
+/**
+ * An accumulator of Spark that holds a name. Spark's UI shows the name in the row of each task; the driver keeps only
+ * the last one.
+ */
 final class ShownName extends AccumulatorV2<String, String> {
     private static final long serialVersionUID = 1L;
 

@@ -2,15 +2,15 @@ package io.github.sofas.spark;
 
 import java.util.List;
 
-/** Where {@code spark-submit} starts: the command {@code batch} with a cluster to run on. */
+/** Main class of {@code spark-submit}: runs the command {@code batch} with a Spark cluster. */
 public final class SparkBatch {
     private SparkBatch() {
     }
 
     /**
-     * Runs a batch and ends the program with its exit code.
+     * Runs a batch and ends the process with its exit code.
      *
-     * @param arguments as of {@code ./sofas batch}
+     * @param arguments arguments of {@code ./sofas batch}
      */
     public static void main(String[] arguments) {
         System.exit(IsolatedProgram.get().submit(List.of(arguments), new SparkCluster()));

@@ -27,17 +27,23 @@ import scala.reflect.ClassTag$;
 import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
-/** A Spark application that labels recordings: one job, with one task a recording. */
+/**
+ * A Spark application that labels recordings: one job, with one task per recording. It lives in the driver; {@link
+ * LabelTask} runs on the executors.
+ */
 final class SparkCluster implements Cluster {
-    /** More than one letter, which would be a drive. */
+    /** A scheme has more than one letter: one letter is a drive. */
     private static final Pattern SCHEME = Pattern.compile("[A-Za-z][A-Za-z0-9+.-]+:/.*", Pattern.DOTALL);
-    /** Spark's own, of masters that try again at all. */
+    /** Spark's own default of spark.task.maxFailures, for masters that repeat failed tasks at all. */
     private static final int MOST_FAILURES = 4;
     private static final String LOOPBACK = "127.0.0.1";
-    /** After Spark has ended its tasks, before Hadoop closes its file systems. */
+    /**
+     * Priority of the hook that waits for the end of the batch. Spark ends its tasks before this hook, and Hadoop
+     * closes its file systems after it.
+     */
     private static final int AFTER_SPARK = FileSystem.SHUTDOWN_HOOK_PRIORITY + 10;
     private static final int ENDING_S = 20;
-    /** Of which tasks that run in this process get so much. */
+    /** Part of these {@value #ENDING_S} s that tasks in this process get to end. */
     private static final int TASKS_END_S = 5;
 
     private final SparkConf conf = new SparkConf();
@@ -73,11 +79,11 @@ final class SparkCluster implements Cluster {
         conf.setIfMissing("spark.master", "local[*]");
         conf.setIfMissing("spark.app.name", "SOFAS");
         conf.setIfMissing("spark.ui.showConsoleProgress", "false");
-        // A recording that takes long is long, and two that write the same results would be one too many.
+        // A slow task has a long recording, not a slow machine; two tasks must not write the same results.
         conf.set("spark.speculation", "false");
         boolean isHere = conf.get("spark.master").startsWith("local");
         if (isHere) {
-            // nobody else has to reach it
+            // no other machine has to reach the driver
             conf.setIfMissing("spark.driver.bindAddress", LOOPBACK);
             conf.setIfMissing("spark.driver.host", LOOPBACK);
         } else {
@@ -88,7 +94,7 @@ final class SparkCluster implements Cluster {
         } catch (RuntimeException e) {
             throw new IOException("Spark does not start: " + e.getMessage(), e);
         }
-        // The end of the process waits until what is not whole is deleted.
+        // The process must not end before unfinished files are deleted.
         ShutdownHookManager.get().addShutdownHook(this::awaitEnd, AFTER_SPARK, ENDING_S, TimeUnit.SECONDS);
         return "Spark " + context.version() + ", " + context.master()
             + (context.uiWebUrl().isEmpty() ? "" : ", " + context.uiWebUrl().get());
@@ -102,7 +108,7 @@ final class SparkCluster implements Cluster {
         }
     }
 
-    /** Gets each row on the driver. */
+    /** Receives each row on the driver. */
     private static final class Ended extends AbstractFunction2<Object, BatchRow, BoxedUnit> {
         private final Consumer<BatchRow> receiver;
 
@@ -131,7 +137,7 @@ final class SparkCluster implements Cluster {
                 all, new Ended(ended), ClassTag$.MODULE$.apply(BatchRow.class));
         } catch (Exception e) {
             RunningTasks.HERE.stop(TASKS_END_S);
-            // not declared, Scala throws it all the same
+            // Scala throws this checked exception without declaring it
             if (e instanceof SparkException) {
                 throw new IOException(e.getMessage().lines().findFirst().orElse(""), e);
             }

@@ -1,7 +1,7 @@
 /**
- * Batches on Apache Spark. Open {@link io.github.sofas.spark.SparkBatch} first: it is what {@code spark-submit} starts.
- * {@link io.github.sofas.spark.SparkCluster} makes one task of each recording, {@link io.github.sofas.spark.LabelTask}
- * is what an executor does with it: it calls the program, which is kept apart from Spark's libraries ({@link
- * io.github.sofas.spark.IsolatedProgram}).
+ * Batches on Apache Spark. Open {@link io.github.sofas.spark.SparkBatch} first: {@code spark-submit} starts this class.
+ * {@link io.github.sofas.spark.SparkCluster} makes one task of each recording. {@link io.github.sofas.spark.LabelTask}
+ * runs on an executor and calls the program, which {@link io.github.sofas.spark.IsolatedProgram} keeps apart from
+ * Spark's libraries.
  */
 package io.github.sofas.spark;
