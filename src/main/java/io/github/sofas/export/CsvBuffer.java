@@ -7,22 +7,28 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Numbers as ASCII text in one reused buffer: no string, no allocation, no locale.
+ * Writes numbers as ASCII text into one reused buffer, without strings, allocation or locale.
  *
- * <p>The caller says once a row how much room it needs; the single writes trust that.
+ * <p>The caller reserves room once per row by {@link #makeRoom}. The single writes rely on this and do not check.
  */
 final class CsvBuffer {
     private static final int CAPACITY = 1 << 17;
-    /** Room behind the last row: a packed number is stored as eight bytes whatever its length. */
+    /** Room behind the last row: a packed number is stored as eight bytes, whatever its length. */
     private static final int SLACK = 64;
-    /** Magnitude from which a velocity is refused; below, thousandths fit a long with room to spare. */
+    /** Magnitude from which a velocity is refused. Below this limit, thousandths fit a long with room to spare. */
     private static final double VELOCITY_LIMIT = 1e12;
 
     private static final VarHandle LONGS = MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
 
-    /** The digits of 0 to 999 with leading zeros, three bytes each, first digit lowest; the fourth byte is a comma. */
+    /**
+     * The digits of 0 to 999 with leading zeros, three bytes each, first digit in the lowest byte. The fourth byte is a
+     * comma.
+     */
     private static final int[] THREE_DIGITS = threeDigits();
-    /** The text of each 0 to 4095 and a comma, first character lowest; its length in the highest byte. */
+    /**
+     * The text of each number from 0 to 4095 and a comma, first character in the lowest byte. The highest byte is the
+     * length of this text.
+     */
     private static final long[] SMALL = smallNumbers();
 
     private final OutputStream out;
@@ -54,7 +60,7 @@ final class CsvBuffer {
         return table;
     }
 
-    /** Writes the buffer out where fewer than so many bytes are free. */
+    /** Writes out the buffer if fewer than {@code length} bytes are free. */
     void makeRoom(int length) throws IOException {
         if (size + length > CAPACITY) {
             flush();
@@ -81,7 +87,7 @@ final class CsvBuffer {
         }
     }
 
-    /** A whole number and a comma. */
+    /** Puts a whole number and a comma. */
     void putWithComma(int number) {
         if ((number & ~4095) == 0) {
             long packed = SMALL[number];
@@ -93,7 +99,7 @@ final class CsvBuffer {
         }
     }
 
-    /** The last three digits of a number and a comma; the digits before were put already. */
+    /** Puts the last three digits of a number and a comma. The digits before them must already be in the buffer. */
     void putThreeDigitsWithComma(int number) {
         int packed = THREE_DIGITS[number];
         bytes[size] = (byte) packed;
@@ -103,7 +109,7 @@ final class CsvBuffer {
         size += 4;
     }
 
-    /** A whole number. */
+    /** Puts a whole number. */
     void put(long number) {
         if (number < 0) {
             if (number == Long.MIN_VALUE) {
@@ -139,11 +145,12 @@ final class CsvBuffer {
     }
 
     /**
-     * A velocity with three decimals, rounded half away from zero; never "-0.000". The rounding is that of
-     * {@code new BigDecimal(velocity).setScale(3, RoundingMode.HALF_UP)}: a float has 24 significant bits and 1000 has
-     * seven odd ones, so their product as a double is exact, and {@link Math#round} of a positive double is half up.
+     * Puts a velocity with three decimals, rounded half away from zero; never "-0.000". The rounding is that of
+     * {@code new BigDecimal(velocity).setScale(3, RoundingMode.HALF_UP)}. A float has 24 significant bits, and 1000 has
+     * seven without its trailing zeros, so their product as a double is exact. {@link Math#round} of a positive double
+     * is half up.
      *
-     * @throws IllegalArgumentException where it is not finite or its magnitude is 1e12 or more
+     * @throws IllegalArgumentException if the velocity is not finite or its magnitude is 1e12 or more
      */
     void putVelocity(float velocity) {
         double magnitude = Math.abs((double) velocity);

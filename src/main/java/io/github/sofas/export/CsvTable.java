@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Writes a table as CSV: a header, then a line each, numbers with a fraction with three decimals as in
- * {@link FlowCsvWriter}, an empty field for NaN. The table of events with flow has a faster writer of its own.
+ * Writes a table as CSV: a header, then one line per row. Floats have three decimals as in {@link FlowCsvWriter}, and
+ * NaN is an empty field. The table of events with flow has a faster writer of its own.
  */
 final class CsvTable implements TableWriter {
-    /** No number and its comma is longer. */
+    /** Room per number: no number with its comma is longer. */
     private static final int NUMBER_LIMIT = 24;
 
     private final OutputStream out;

@@ -11,11 +11,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Reads the lines that files of flow and of truth have in common: an event, its velocity, and whose it is, as a number
- * whose meaning the last column's name gives. Holds one buffer.
+ * Reads the lines of flow files and of truth files, which have the same form: an event, its velocity, and an id. The
+ * name of the last column determines whether the id is that of a segment or of an object. Holds one buffer.
  */
 public final class EventCsvReader implements Closeable {
-    /** What the first line begins with; the last column follows. */
+    /** Beginning of the first line; the name of the last column follows. */
     public static final String EVENT_COLUMNS = "t_us,x,y,polarity,vx_px_per_s,vy_px_per_s,";
     private static final int TIME = 0;
     private static final int X = 1;
@@ -24,12 +24,14 @@ public final class EventCsvReader implements Closeable {
     private static final int VX = 4;
     private static final int VY = 5;
     private static final int ID = 6;
-    /** What is no text has no lines, and shall take no memory. */
+    /**
+     * Most characters of a line. A file that is not text may have no line ends, and must not take more and more memory.
+     */
     private static final int MOST_CHARACTERS = 1000;
     private static final int BUFFER = 1 << 16;
     private static final int MOST_DIGITS = 18;
     private static final double[] POWERS = new double[MOST_DIGITS + 1];
-    /** Of 18 digits, 31,700 years: more than any recording holds. */
+    /** Greatest time: 18 digits, which are 31,700 years and more than any recording holds. */
     private static final long MOST_US = 999_999_999_999_999_999L;
 
     static {
@@ -47,12 +49,12 @@ public final class EventCsvReader implements Closeable {
     private int position;
     private int limit;
     private long line;
-    // of the line read last: where it begins and ends, and where each field does
+    // the line read last: where it begins and ends, whether it has a line end, and where each field begins
     private int start;
     private int end;
     private boolean ended;
     private int[] from = new int[ID + 2];
-    /** Which field of the line each column is. */
+    /** Index of the field that belongs to each column. */
     private final int[] field = {TIME, X, Y, POLARITY, VX, VY, ID};
     private int fields = ID + 1;
 
@@ -72,13 +74,13 @@ public final class EventCsvReader implements Closeable {
     }
 
     /**
-     * Opens a file and finds its columns by its first line: in any order, and among others.
+     * Opens a file and finds its columns by the names in its first line. They may be in any order and among others.
      *
      * @param file the file
      * @param idColumn name of the last column
      * @return the reader
-     * @throws EventSourceException where one is missing
-     * @throws IOException where it cannot be read
+     * @throws EventSourceException if a column is missing
+     * @throws IOException if the file cannot be read
      */
     public static EventCsvReader open(Path file, String idColumn) throws EventSourceException, IOException {
         EventCsvReader reader = new EventCsvReader(file, idColumn, Files.newInputStream(file));
@@ -95,7 +97,7 @@ public final class EventCsvReader implements Closeable {
         }
     }
 
-    /** Finds the columns in a first line, in any order and among others; false where one is missing. */
+    /** Finds the columns in a first line, in any order and among others. Returns false if one is missing. */
     private boolean findColumns(String first) {
         List<String> names = Arrays.asList(first.split(",", -1));
         for (int column = 0; column < columns.length; column++) {
@@ -113,8 +115,8 @@ public final class EventCsvReader implements Closeable {
      * Reads the next line.
      *
      * @return false at the end
-     * @throws EventSourceException where the line is malformed
-     * @throws IOException where the file cannot be read
+     * @throws EventSourceException if the line is malformed
+     * @throws IOException if the file cannot be read
      */
     public boolean next() throws EventSourceException, IOException {
         if (!readLine()) {
@@ -154,12 +156,12 @@ public final class EventCsvReader implements Closeable {
         return polarity;
     }
 
-    /** {@return the velocity to the right in px/s; 0 where the field is empty} */
+    /** {@return the velocity to the right in px/s; 0 if the field is empty} */
     public float vxPxPerS() {
         return vxPxPerS;
     }
 
-    /** {@return the velocity downwards in px/s; 0 where the field is empty} */
+    /** {@return the velocity downwards in px/s; 0 if the field is empty} */
     public float vyPxPerS() {
         return vyPxPerS;
     }
@@ -172,7 +174,7 @@ public final class EventCsvReader implements Closeable {
     /**
      * Checks that the event has a velocity.
      *
-     * @throws EventSourceException where a field is empty
+     * @throws EventSourceException if a component is empty
      */
     public void requireVelocity() throws EventSourceException {
         for (int column = VX; column <= VY; column++) {
@@ -183,9 +185,9 @@ public final class EventCsvReader implements Closeable {
     }
 
     /**
-     * Checks that the line read last has its end: the last line of a file that was cut off has none.
+     * Checks that the line read last has a line end. If a file was cut off, its last line has none.
      *
-     * @throws EventSourceException where it has none
+     * @throws EventSourceException if the line has none
      */
     public void requireLineEnd() throws EventSourceException {
         if (!ended) {
@@ -194,17 +196,15 @@ public final class EventCsvReader implements Closeable {
     }
 
     /**
-     * {@return what is wrong with the line that was read last, or that is missing}
+     * {@return an exception about the line read last, or about one that is missing}
      *
-     * @param what the rule, the value
+     * @param what the rule and the value
      */
     public EventSourceException wrong(String what) {
         return new EventSourceException("[" + name + "] line " + line + ": " + what);
     }
 
-    /**
-     * {@return the line that was read last; long or binary text is cut so that a message stays one line of a terminal}
-     */
+    /** {@return the line read last, in quotes, cut so that a message stays one line of a terminal} */
     public String quotedLine() {
         return quoted(start, end);
     }
@@ -214,7 +214,9 @@ public final class EventCsvReader implements Closeable {
         return '"' + (printable.length() > 100 ? printable.substring(0, 100) + "..." : printable) + '"';
     }
 
-    /** Every byte is a character, so that a binary file is refused for its first line, not for its encoding. */
+    /**
+     * Takes every byte as a character, so that a binary file is refused for its first line and not for its encoding.
+     */
     private String text(int first, int after) {
         return new String(buffer, first, after - first, StandardCharsets.ISO_8859_1);
     }
@@ -240,7 +242,7 @@ public final class EventCsvReader implements Closeable {
         return ended || position > start;
     }
 
-    /** Moves what is left to the front and reads on; false at the end of the file. */
+    /** Moves the unread bytes to the front of the buffer and reads on. Returns false at the end of the file. */
     private boolean fill() throws IOException {
         System.arraycopy(buffer, position, buffer, 0, limit - position);
         limit -= position;
@@ -331,7 +333,7 @@ public final class EventCsvReader implements Closeable {
         return (float) (negative ? -magnitude : magnitude);
     }
 
-    /** A number with an exponent, or of many digits; not the words that the language takes for numbers. */
+    /** Parses a number with an exponent or with many digits, but none of the words that Java accepts as numbers. */
     private float unusual(int column) throws EventSourceException {
         String text = text(from(column), after(column));
         if (text.matches("[-+]?[0-9]*\\.?[0-9]*([eE][-+]?[0-9]+)?") && text.matches(".*[0-9].*")) {

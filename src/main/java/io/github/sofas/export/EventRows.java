@@ -7,7 +7,10 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Rows of events, collected until a table gets them: the columns of an event, and after them those of its labels. */
+/**
+ * Collects rows of events and writes them to a table whenever enough have come together. A row has the columns of an
+ * event, followed by those of its labels.
+ */
 final class EventRows implements Closeable {
     private static final int ROWS = 1 << 14;
     private static final List<TableColumn> EVENT = List.of(new TableColumn("t_us", Type.INT64),
@@ -15,16 +18,18 @@ final class EventRows implements Closeable {
     /** Index of the first column of the labels. */
     static final int LABELS = EVENT.size();
 
-    /** Fills the columns of the labels. */
+    /** Fills the columns of the labels in new rows. */
     interface Labels {
-        /** Fills count rows from a row on, for the events of the batch from an index on. */
+        /**
+         * Fills {@code count} rows, beginning at {@code row}, for the events of the batch beginning at {@code from}.
+         */
         void fill(TableRows rows, int row, int from, int count);
     }
 
     private final TableWriter table;
     private final TableRows rows;
 
-    /** Starts to collect rows for a table of these columns. */
+    /** Starts without rows, for a table of these columns. */
     EventRows(TableWriter table, List<TableColumn> columns) {
         this.table = table;
         rows = new TableRows(columns, ROWS);
@@ -59,7 +64,7 @@ final class EventRows implements Closeable {
         rows.setSize(0);
     }
 
-    /** Writes what is left and closes the file. */
+    /** Writes the remaining rows and closes the file. */
     @Override
     public void close() throws IOException {
         try (table) {

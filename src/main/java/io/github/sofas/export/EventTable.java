@@ -7,7 +7,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 
-/** Writes one row for every event without flow: {@code t_us}, {@code x}, {@code y}, {@code polarity}, 1 or -1. */
+/**
+ * Writes a table of plain events, without flow. Each event has one row: {@code t_us}, {@code x}, {@code y}, and
+ * {@code polarity}, 1 or -1.
+ */
 public final class EventTable implements Closeable {
     private static final List<TableColumn> COLUMNS = EventRows.columns();
 
@@ -21,11 +24,11 @@ public final class EventTable implements Closeable {
      * Starts a file.
      *
      * @param format of the file
-     * @param results holds the file until it is whole
-     * @param file where it will be
-     * @param metadata what is said of the table, by name
-     * @return the table, without a row
-     * @throws IOException where it cannot be made
+     * @param results group that holds the file until it is complete
+     * @param file path of the file after the commit
+     * @param metadata descriptions of the table, by name
+     * @return the table, without rows
+     * @throws IOException if the file cannot be made
      */
     public static EventTable open(TableFormat format, ResultFiles results, Path file, Map<String, String> metadata)
             throws IOException {
@@ -36,13 +39,13 @@ public final class EventTable implements Closeable {
      * Writes the rows of a batch.
      *
      * @param batch the events
-     * @throws IOException where they cannot be written
+     * @throws IOException if the rows cannot be written
      */
     public void write(EventBatch batch) throws IOException {
         rows.write(batch, (filled, row, from, count) -> { });
     }
 
-    /** Writes what is left and closes the file. */
+    /** Writes the remaining rows and closes the file. */
     @Override
     public void close() throws IOException {
         rows.close();

@@ -7,7 +7,10 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Reads the rows that {@link FlowCsvWriter} wrote, events with their labels. */
+/**
+ * Reads the file that {@link FlowCsvWriter} wrote: events with their labels. Used where labelled events are needed
+ * again after a run.
+ */
 public final class FlowCsvReader implements Closeable {
     private final EventCsvReader rows;
     private EventSourceException damage;
@@ -21,7 +24,8 @@ public final class FlowCsvReader implements Closeable {
      *
      * @param file written by {@link FlowCsvWriter}
      * @return the reader
-     * @throws EventSourceException where it cannot be read, or begins with another line than {@link FlowCsvWriter}'s
+     * @throws EventSourceException if the file cannot be read, or if its first line lacks a column of
+     *     {@link FlowCsvWriter}
      */
     public static FlowCsvReader open(Path file) throws EventSourceException {
         try {
@@ -34,10 +38,10 @@ public final class FlowCsvReader implements Closeable {
     /**
      * Clears the batch and fills it, and the labels beside it, with the rows that follow.
      *
-     * @param batch is filled; what it held is forgotten
-     * @param flow of the batch's capacity at least
+     * @param batch receives the events; its previous events are discarded
+     * @param flow receives the labels; has at least the batch's capacity
      * @return false at the end
-     * @throws EventSourceException where a row is malformed; every row before it was delivered
+     * @throws EventSourceException if a row is malformed; every row before it was delivered
      */
     public boolean next(EventBatch batch, FlowOutput flow) throws EventSourceException {
         batch.clear();

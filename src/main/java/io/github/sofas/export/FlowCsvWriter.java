@@ -8,31 +8,37 @@ import java.io.OutputStream;
 /**
  * Writes one row for every event: {@value #HEADER}.
  *
- * <p>Velocities have three decimals with a point, rounded half away from zero from the exact value of the float, in
- * every locale; the two fields are empty and the segment is 0 where the event has no flow. Lines end in LF. The same
+ * <p>Velocities have three decimals with a point in every locale. They are rounded half away from zero, from the exact
+ * value of the float. If an event has no flow, the two fields are empty and the segment is 0. Lines end in LF. The same
  * events and flow give the same bytes.
  */
 public final class FlowCsvWriter implements FlowWriter {
-    /** The first line, without its end. */
+    /** The first line, without its line end. */
     public static final String HEADER = EventCsvReader.EVENT_COLUMNS + FlowCsvWriter.ID_COLUMN;
     static final String ID_COLUMN = "segment";
 
-    /** No row is longer: time 20, x and y 6 each, polarity 4, velocities 17 each, segment 11, seven separators. */
+    /**
+     * Room per row; no row is longer: time 20, x and y 6 each, polarity 4, velocities 17 each, segment 11, seven
+     * separators.
+     */
     private static final int ROW_LIMIT = 96;
     private static final byte[] NO_FLOW = {',', ',', '0', '\n'};
-    /** Segments whose last velocity is kept as text; a power of two, most recordings have fewer at once. */
+    /**
+     * Number of segments whose last velocity is kept as text: a power of two; most recordings have fewer segments at
+     * once.
+     */
     private static final int TEXTS = 64;
     private static final int TEXT_LIMIT = 64;
 
     private final OutputStream out;
     private final CsvBuffer buffer;
 
-    // Time as text is shared by all events of one millisecond, except for its last three digits.
+    // All events of one millisecond share the text of their time, except for its last three digits.
     private long millisecondUs;
     private final byte[] millisecondText = new byte[24];
     private int millisecondLength;
 
-    // All events of a segment have one velocity until it is measured again: its text is made once.
+    // All events of a segment have one velocity until it is measured again, so its text is made once.
     private final int[] textSegment = new int[TEXTS];
     private final float[] textVx = new float[TEXTS];
     private final float[] textVy = new float[TEXTS];
@@ -42,8 +48,8 @@ public final class FlowCsvWriter implements FlowWriter {
     /**
      * Writes the header.
      *
-     * @param out closed by {@link #close()}; needs no buffer
-     * @throws IOException where it cannot be written
+     * @param out receives the rows; closed by {@link #close()}; needs no buffer
+     * @throws IOException if the header cannot be written
      */
     public FlowCsvWriter(OutputStream out) throws IOException {
         this.out = out;
@@ -56,8 +62,8 @@ public final class FlowCsvWriter implements FlowWriter {
      * Writes the rows of a batch.
      *
      * @param batch the events
-     * @param flow labelled by the engine for this batch
-     * @throws IOException where they cannot be written
+     * @param flow labels of the same events
+     * @throws IOException if the rows cannot be written
      */
     @Override
     public void write(EventBatch batch, FlowOutput flow) throws IOException {
@@ -82,7 +88,7 @@ public final class FlowCsvWriter implements FlowWriter {
     }
 
     private void putTime(long timeUs) {
-        // Below a millisecond, and before zero, the last three digits are not a suffix: written whole.
+        // Below a millisecond, and before zero, the last three digits are not a suffix: the time is written whole.
         if (timeUs < 1000) {
             buffer.put(timeUs);
             buffer.put(',');
@@ -125,16 +131,16 @@ public final class FlowCsvWriter implements FlowWriter {
     }
 
     /**
-     * Writes what is still buffered: whole rows.
+     * Writes all rows that are still buffered; these are whole rows.
      *
-     * @throws IOException where it cannot be written
+     * @throws IOException if they cannot be written
      */
     public void flush() throws IOException {
         buffer.flush();
         out.flush();
     }
 
-    /** Writes what is still buffered and closes the stream. */
+    /** Writes the rows that are still buffered and closes the stream. */
     @Override
     public void close() throws IOException {
         try (out) {

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Writes one row for every event, its flow and segment, with the columns of {@link FlowCsvWriter} and their types:
- * {@code t_us} of 64 bits, {@code x} and {@code y} of 16, {@code polarity} of 8, velocities as 32-bit floats that are
- * NaN where the event has no flow, {@code segment} of 32. CSV is written by {@link FlowCsvWriter}.
+ * Writes one row for every event, with its flow and segment. The columns are those of {@link FlowCsvWriter}, with
+ * types: {@code t_us} has 64 bits, {@code x} and {@code y} have 16, {@code polarity} has 8 and {@code segment} 32.
+ * Velocities are 32-bit floats, NaN if the event has no flow. {@link FlowCsvWriter} itself writes CSV.
  */
 public final class FlowTable implements FlowWriter {
     private static final List<TableColumn> COLUMNS = EventRows.columns(new TableColumn("vx_px_per_s", Type.FLOAT32),
@@ -27,11 +27,11 @@ public final class FlowTable implements FlowWriter {
      * Starts a file.
      *
      * @param format of the file
-     * @param results that the file is one of
-     * @param file where it will be
-     * @param metadata what is said of the table, by name
+     * @param results group that holds the file until it is complete
+     * @param file path of the file after the commit
+     * @param metadata descriptions of the table, by name
      * @return the writer
-     * @throws IOException where it cannot be made
+     * @throws IOException if the file cannot be made
      */
     public static FlowWriter open(TableFormat format, ResultFiles results, Path file, Map<String, String> metadata)
             throws IOException {

@@ -5,14 +5,14 @@ import io.github.sofas.flow.FlowOutput;
 import java.io.Closeable;
 import java.io.IOException;
 
-/** Writes a row for every event with its flow and segment, in some format. */
+/** Writes one row for every event, with its flow and segment, whatever the format of the file. */
 public interface FlowWriter extends Closeable {
     /**
      * Writes the rows of a batch.
      *
      * @param batch the events
-     * @param flow labelled by the engine for this batch
-     * @throws IOException where they cannot be written
+     * @param flow labels of the same events
+     * @throws IOException if the rows cannot be written
      */
     void write(EventBatch batch, FlowOutput flow) throws IOException;
 }

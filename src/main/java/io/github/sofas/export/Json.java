@@ -11,7 +11,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.Map;
 
-/** JSON as this program writes it: UTF-8, indented by two, LF on every system, numbers without exponent. */
+/** JSON as this program writes it: UTF-8, indented by two, LF on every system, decimals instead of exponents. */
 public final class Json {
     private static final JsonFactory FACTORY = new JsonFactory();
 
@@ -23,7 +23,7 @@ public final class Json {
      *
      * @param out left open when the generator is closed
      * @return the document
-     * @throws IOException where it cannot be written
+     * @throws IOException if the document cannot be written
      */
     public static JsonGenerator open(OutputStream out) throws IOException {
         DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
@@ -43,13 +43,13 @@ public final class Json {
     }
 
     /**
-     * Writes a number with as many decimals as it means.
+     * Writes a number with a given number of decimals.
      *
      * @param json the document
-     * @param name of the value
-     * @param value not a number is written as null
-     * @param decimals how many
-     * @throws IOException where it cannot be written
+     * @param name name of the value
+     * @param value a finite number
+     * @param decimals number of decimals
+     * @throws IOException if the number cannot be written
      */
     public static void write(JsonGenerator json, String name, double value, int decimals) throws IOException {
         json.writeFieldName(name);
@@ -60,9 +60,9 @@ public final class Json {
     /**
      * Writes a method's parameters as an object.
      *
-     * @param json where it goes
+     * @param json the document, where the object goes
      * @param parameters a Number, Boolean or String each, by the name of its option
-     * @throws IOException where it cannot be written
+     * @throws IOException if the parameters cannot be written
      */
     public static void writeParameters(JsonGenerator json, Map<String, Object> parameters) throws IOException {
         json.writeStartObject();
@@ -70,7 +70,7 @@ public final class Json {
             json.writeFieldName(parameter.getKey());
             Object value = parameter.getValue();
             if (value instanceof Number) {
-                // Its own text: 20 stays 20, 0.1f stays 0.1.
+                // The number's own text: 20 stays 20, 0.1f stays 0.1.
                 json.writeNumber(value.toString());
             } else if (value instanceof Boolean) {
                 json.writeBoolean((Boolean) value);

@@ -18,17 +18,19 @@ import java.util.zip.ZipOutputStream;
 
 /**
  * Writes a table as NumPy's {@code .npz}: a zip archive with an array for each column, and one of text for each piece
- * of metadata. An array begins with its length, which is known only at the end: until then each column is kept in a
- * file of its own beside the result, which is deleted when it is closed.
+ * of metadata.
+ *
+ * <p>An array begins with its length, which is known only at the end. Until then, each column is kept in a file of its
+ * own beside the result. These files are deleted when the table is closed.
  *
  * <p>Source: NumPy's {@code numpy.lib.format}, version 1.0.
  */
 final class NpzTable implements TableWriter {
     private static final int BUFFER_BYTES = 1 << 16;
-    /** Header and magic are a multiple of this. */
+    /** The length of magic and header together is a multiple of this number of bytes. */
     private static final int ALIGNMENT = 64;
     private static final byte[] MAGIC = {(byte) 0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0};
-    /** The same archive has the same bytes. */
+    /** Time of all entries: a fixed one, so that the same table gives the same bytes. */
     private static final FileTime MADE = FileTime.fromMillis(315_532_800_000L);
 
     private final OutputStream out;
@@ -41,7 +43,7 @@ final class NpzTable implements TableWriter {
     /**
      * Starts a table.
      *
-     * @param folder where columns are kept meanwhile
+     * @param folder folder in which the columns are kept until the end
      */
     NpzTable(OutputStream out, Path folder, List<TableColumn> columns, Map<String, String> metadata)
             throws IOException {

@@ -25,11 +25,15 @@ import org.apache.parquet.schema.PrimitiveType.PrimitiveTypeName;
 import org.apache.parquet.schema.Types;
 
 /**
- * Writes a table as Apache Parquet, packed by Zstandard, by parquet-java's own column and file writers: numbers go from
- * the columns' arrays to its encoders, without a record for each row. Holds one row group.
+ * Writes a table as Apache Parquet, compressed by Zstandard. The table uses the column and file writers of parquet-java
+ * directly: numbers go from the columns' arrays to its encoders, without a record for each row. Holds one row group in
+ * memory.
  */
 final class ParquetTable implements TableWriter {
-    /** Of a row group, which is held until it is full: some 10 MB, and readers take one at a time. */
+    /**
+     * Rows of a row group. A group is held until it is full, which takes about 10 MB, and readers take one group at a
+     * time.
+     */
     private static final int GROUP_ROWS = 1 << 20;
     private static final int PAGE_ROWS = 1 << 16;
     private static final int ZSTD_LEVEL = 1;
@@ -54,8 +58,9 @@ final class ParquetTable implements TableWriter {
             .withAllocator(new HeapByteBufferAllocator()).withPageRowCountLimit(PAGE_ROWS)
             .withMinRowCountForPageSizeCheck(PAGE_ROWS).withPageSize(1 << 20);
         for (TableColumn column : columns) {
-            // Steps of numbers pack better here than dictionaries do, in half the time. Floats byte by byte would save
-            // 6 to 9 % of the file, but Spark 4.0 reads them only without its vectorized reader.
+            // Differences of successive numbers compress better here than dictionaries do, in half the time. Floats
+            // byte by byte would save 6 to 9 % of the file, but Spark 4.0 reads them only without its vectorized
+            // reader.
             builder.withDictionaryEncoding(column.name(), false)
                 .withStatisticsEnabled(column.name(), column.type() == TableColumn.Type.INT64)
                 .withSizeStatisticsEnabled(column.name(), false);
@@ -167,7 +172,7 @@ final class ParquetTable implements TableWriter {
         }
     }
 
-    /** Packs pages by the library that the readers unpack by. */
+    /** Compresses pages with the same library with which readers decompress them. */
     private static final class Compressor implements BytesInputCompressor {
         @Override
         public BytesInput compress(BytesInput bytes) throws IOException {
@@ -188,7 +193,7 @@ final class ParquetTable implements TableWriter {
         }
     }
 
-    /** A stream as a file that is written from its start to its end. */
+    /** Presents a stream as a file that is written from start to end. */
     private static final class Stream implements OutputFile {
         private final OutputStream out;
 

@@ -7,31 +7,31 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What is in a recording.
+ * A summary of what a recording contains.
  *
- * @param file its path as it was given
+ * @param file path of the file as it was given
  * @param format name and version of the format
- * @param chip name of the sensor chip, empty where unknown
+ * @param chip name of the sensor chip, empty if unknown
  * @param sensor the pixel array
- * @param events DVS events delivered
- * @param firstTimeUs time of the first one in µs; 0 where there is none
- * @param lastTimeUs time of the last one in µs; 0 where there is none
- * @param counts how many of each kind the file holds, by name, in the order shown
- * @param complete whether it was read to its end without damage
- * @param faults what is wrong with it, one message each; empty for a sound recording
- * @param notes what the user should know beside that
+ * @param events number of DVS events delivered
+ * @param firstTimeUs time of the first event in µs; 0 if there is none
+ * @param lastTimeUs time of the last event in µs; 0 if there is none
+ * @param counts number of items of each kind in the file, by name, in the order shown
+ * @param complete whether the recording was read to its end without damage
+ * @param faults faults of the recording, one message each; empty for a sound recording
+ * @param notes further remarks for the user
  * @param doubtfulShare share of the events that are not delivered as the recording has them, 0 to 1
  */
 public record RecordingSummary(String file, String format, String chip, SensorSize sensor, long events,
                                long firstTimeUs, long lastTimeUs, Map<String, Long> counts, boolean complete,
                                List<String> faults, List<String> notes, double doubtfulShare) {
 
-    /** {@return from the first event to the last in seconds} */
+    /** {@return the time from the first event to the last in seconds} */
     public double durationS() {
         return (lastTimeUs - firstTimeUs) / 1e6;
     }
 
-    /** {@return DVS events per second of the recording; 0 where it has no duration} */
+    /** {@return DVS events per second of the recording; 0 if it has no duration} */
     public double eventsPerS() {
         return durationS() > 0 ? events / durationS() : 0;
     }
@@ -40,7 +40,7 @@ public record RecordingSummary(String file, String format, String chip, SensorSi
      * Writes a JSON object.
      *
      * @param json the document, inside an object
-     * @throws IOException where it cannot be written
+     * @throws IOException if the object cannot be written
      */
     public void write(JsonGenerator json) throws IOException {
         json.writeStartObject();

@@ -23,23 +23,25 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Files that appear together and whole, or not at all. Each is written beside its place under a hidden temporary name;
- * {@link #commit()} renames all of them. Closing without a commit deletes what was written, and so does the end of the
- * program by a signal. What a killed program left is deleted by the next that makes the same file.
+ * A group of files that appear together and complete, or not at all. Each file is written beside its final place under
+ * a hidden temporary name. {@link #commit()} renames all of them. Closing the group without a commit deletes the files
+ * written so far, and so does a signal that ends the program. If a program was killed, the next one that makes the same
+ * file deletes the remains.
  *
- * <p>What a camera sent cannot be sent again: files of a capture are kept, however the program ends, under their
- * temporary names where they cannot get others. {@link #leftBehind} finds them.
+ * <p>The events of a camera cannot be sent again. The files of a capture are therefore kept, however the program ends.
+ * If they cannot get their final names, they stay under their temporary ones, and {@link #leftBehind} finds them.
  *
- * <p>The file that was started last gets its name last, and one of its name goes before the first is replaced: where it
- * is there, all are, of one run, even if the program was killed in the middle of a commit.
+ * <p>The file that was started last gets its name last. An existing file of that name is deleted before the first file
+ * is replaced. So if the last file exists, all files exist and are of one run, even if the program was killed in the
+ * middle of a commit.
  *
- * <p>Where nothing may be replaced, a file that another program makes meanwhile is not: of two that make the same one,
- * the second is refused when it starts, or else when it commits.
+ * <p>If nothing may be replaced, this holds also for files that another program makes meanwhile. Of two programs that
+ * make the same file, the second is refused, when it starts the file or else when it commits.
  */
 public final class ResultFiles implements AutoCloseable {
-    /** How long nothing was added to what a killed program left. */
+    /** Time for which nothing may have been added to a file before it counts as left by a killed program, ms. */
     private static final long LEFT_MS = 60_000;
-    /** By how much the clocks of processes and files may differ. */
+    /** Largest difference between the clocks of processes and files, ms. */
     private static final long CLOCK_MS = 2000;
     private static final String PART = ".part";
     private static final String CAUGHT = ".caught";
@@ -54,7 +56,7 @@ public final class ResultFiles implements AutoCloseable {
     /**
      * Makes an empty group.
      *
-     * @param replaces whether files may take the places of others
+     * @param replaces whether files may replace existing ones
      */
     public ResultFiles(boolean replaces) {
         this(replaces, PART);
@@ -66,47 +68,49 @@ public final class ResultFiles implements AutoCloseable {
         try {
             Runtime.getRuntime().addShutdownHook(atShutdown);
         } catch (IllegalStateException e) {
-            // The program is ending: nothing may be started.
+            // The program is ending: no file may be started.
             over = true;
         }
     }
 
     /**
-     * {@return an empty group for what cannot be made again}
+     * {@return an empty group for a capture, whose events cannot be recorded again}
      *
-     * @param replaces whether files may take the places of others
+     * @param replaces whether files may replace existing ones
      */
     public static ResultFiles ofCapture(boolean replaces) {
         return new ResultFiles(replaces, CAUGHT);
     }
 
-    /** Notes that something was caught: from now on nothing of the group is deleted. */
+    /**
+     * Notes that events were captured. From now on, neither {@link #close()} nor a signal deletes files of the group.
+     */
     public synchronized void keepAll() {
         keepsAll = true;
     }
 
     /**
-     * Starts a file; its folder must exist.
+     * Starts a file. Its folder must exist.
      *
-     * @param file where it will be after the commit
-     * @return unbuffered; the caller closes it before the commit
-     * @throws IOException where it cannot be made, where a directory has its name, or where another program is making
-     *     it and it may not be replaced
+     * @param file path of the file after the commit
+     * @return an unbuffered stream; the caller closes it before the commit
+     * @throws IOException if the file cannot be made, if a directory has its name, or if another program is making it
+     *     and it may not be replaced
      */
     public synchronized OutputStream create(Path file) throws IOException {
         if (over) {
             throw new IOException("the program is ending");
         }
         if (Files.isDirectory(file)) {
-            // The commit would meet it only after other files have their names.
+            // The commit would fail only after other files have their names.
             throw new FileSystemException(file.toString(), null, "is a directory");
         }
         if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)
                 && Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS).isOther()) {
-            // The commit would put a file in its place, and nobody could use the device any more.
+            // The commit would replace it by a file, and nobody could use the device any more.
             throw new FileSystemException(file.toString(), null, "is a device or a pipe and not a file");
         }
-        // The process id keeps two runs into one folder apart.
+        // The process id distinguishes two runs that write to one folder.
         Path temporary = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ending);
         lookAtOthers(file);
         OutputStream out = Files.newOutputStream(temporary, StandardOpenOption.CREATE,
@@ -116,8 +120,9 @@ public final class ResultFiles implements AutoCloseable {
     }
 
     /**
-     * Deletes what programs wrote that were killed: they run no more, here, and nothing was added for a while. One that
-     * still runs was first.
+     * Deletes the unfinished file of a program that was killed: its process does not run on this machine, and nothing
+     * was added for a while. Refuses to start the file if another process is still writing it and files may not be
+     * replaced.
      */
     private void lookAtOthers(Path file) throws IOException {
         Pattern part = Pattern.compile(Pattern.quote("." + file.getFileName() + ".") + "(\\d{1,18})\\.(part|caught)");
@@ -133,7 +138,7 @@ public final class ResultFiles implements AutoCloseable {
                 throw new FileSystemException(file.toString(), null, "is being written by process " + pid
                     + ", which was first; --force writes it too");
             }
-            // Another machine may write to the same folder.
+            // The wait is for programs on other machines, which may write to the same folder.
             if (!runs && name.group(2).equals("part")
                     && System.currentTimeMillis() - sibling.lastModified() > LEFT_MS) {
                 sibling.delete();
@@ -141,16 +146,19 @@ public final class ResultFiles implements AutoCloseable {
         }
     }
 
-    /** Whether the process that began a file still runs; one that is younger than the file has only its number. */
+    /**
+     * Whether the process that began a file still runs. A process that is younger than the file merely has the same
+     * number.
+     */
     private static boolean runs(long pid, File file) {
         return ProcessHandle.of(pid).map(process -> process.info().startInstant()
             .map(start -> start.toEpochMilli() <= file.lastModified() + CLOCK_MS).orElse(true)).orElse(false);
     }
 
     /**
-     * {@return files of captures whose programs were killed before these had their names}
+     * {@return files of captures whose programs were killed before the files got their final names}
      *
-     * @param folder where they are looked for
+     * @param folder the folder to search
      */
     public static List<Path> leftBehind(Path folder) {
         List<Path> left = new ArrayList<>();
@@ -167,23 +175,23 @@ public final class ResultFiles implements AutoCloseable {
     }
 
     /**
-     * {@return where a file that was started is until the commit, for writers that need more than a stream}
+     * {@return the temporary path of a started file, until the commit, for writers that need more than a stream}
      *
-     * @param file where it will be
+     * @param file path of the file after the commit
      */
     public synchronized Path temporary(Path file) {
         return temporaryByFinal.get(file);
     }
 
-    /** {@return where all files that were started are until the commit} */
+    /** {@return the temporary paths of all started files, which hold until the commit} */
     public synchronized List<Path> temporaries() {
         return List.copyOf(temporaryByFinal.values());
     }
 
     /**
-     * {@return how many bytes the files that were started have, by name}
+     * {@return the sizes of the started files in bytes, by name}
      *
-     * @throws IOException where one cannot be looked at
+     * @throws IOException if a size cannot be read
      */
     public synchronized Map<String, Long> bytes() throws IOException {
         Map<String, Long> bytes = new LinkedHashMap<>();
@@ -194,9 +202,9 @@ public final class ResultFiles implements AutoCloseable {
     }
 
     /**
-     * Takes a file out of the group and deletes what was written of it.
+     * Removes a file from the group and deletes its temporary file.
      *
-     * @param file that was started
+     * @param file path that the file would have after the commit
      */
     public synchronized void forget(Path file) {
         Path temporary = temporaryByFinal.remove(file);
@@ -206,11 +214,11 @@ public final class ResultFiles implements AutoCloseable {
     }
 
     /**
-     * Gives all files their names. A signal that arrives meanwhile waits until all have theirs.
+     * Gives all files their final names. A signal that arrives meanwhile takes effect when all have them.
      *
-     * @throws FileSystemException where one is there that may not be replaced; none has its name then, unless it
-     *     came in this very moment
-     * @throws IOException where one cannot be renamed or the program is ending
+     * @throws FileSystemException if a file exists that may not be replaced; then none has its final name, unless the
+     *     existing file appeared in this very moment
+     * @throws IOException if a file cannot be renamed, or if the program is ending
      */
     public synchronized void commit() throws IOException {
         if (over) {
@@ -246,7 +254,7 @@ public final class ResultFiles implements AutoCloseable {
         }
     }
 
-    /** Of two programs that do this at once, one fails. */
+    /** Renames a file, unless one of the new name exists. Of two programs that do this at once, one fails. */
     private static void moveWithoutReplacing(Path from, Path to) throws IOException {
         try {
             Files.createLink(to, from);
@@ -254,7 +262,7 @@ public final class ResultFiles implements AutoCloseable {
             refuseToReplace(to);
             throw e;
         } catch (UnsupportedOperationException | FileSystemException e) {
-            // a file system without links: the least time between looking and renaming
+            // a file system without links: the time between the check and the renaming is as short as possible
             refuseToReplace(to);
             Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
             return;
@@ -271,12 +279,12 @@ public final class ResultFiles implements AutoCloseable {
             return;
         }
         for (Path temporary : temporaryByFinal.values()) {
-            // File.delete says nothing where the file is gone: there is no one left to tell.
+            // File.delete does not report a missing file: nobody is left to read the report.
             temporary.toFile().delete();
         }
     }
 
-    /** Deletes what was not committed, unless it is to be kept. */
+    /** Deletes files that were not committed, unless they are to be kept. */
     @Override
     public void close() {
         discard();

@@ -10,29 +10,32 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The figures of one run over one recording.
+ * The figures of one run over one recording, and their form as JSON.
  *
- * @param version of the program
- * @param request fingerprint of all that the results follow from, to know them again; empty where they cannot be made
- *     again
- * @param recording what was read
+ * @param version version of the program
+ * @param request fingerprint of everything that determines the results, by which existing results are recognised; empty
+ *     if the results cannot be made again
+ * @param recording summary of the recording
  * @param method name of the method that labelled the events
- * @param preset name of the preset that the parameters started from; empty where the method has none
+ * @param preset name of the preset from which the parameters started; empty if the method has none
  * @param parameters every parameter by its option's name: a Number, Boolean or String each
- * @param eventsWithFlow how many of the recording's events got flow
- * @param withoutFlow why most events found no flow, in words; empty where half of them or more have it
+ * @param eventsWithFlow number of the recording's events that have flow
+ * @param withoutFlow reason why most events found no flow, in words; empty if half of them or more have flow
  * @param segments all track planes
- * @param eventsDropped how many events were not delivered, by reason
+ * @param eventsDropped number of events that were not delivered, by reason
  * @param seconds where the time went
- * @param peakHeapBytes most heap that the whole program, other recordings included, had in use until now
+ * @param peakHeapBytes most heap in use by the whole program until now, other recordings included
  */
 public record RunSummary(String version, String request, RecordingSummary recording, String method, String preset,
                          Map<String, Object> parameters, long eventsWithFlow, String withoutFlow,
                          List<Segment> segments, Map<String, Long> eventsDropped, Seconds seconds,
                          long peakHeapBytes) {
-    /** Name of the parameter that labels have which know what comes after an event: up to how many ms later. */
+    /**
+     * Name of a parameter: the time in ms up to which a label depends on later events. Labels that look ahead have it,
+     * others do not.
+     */
     public static final String LOOK_AHEAD = "look-ahead-ms";
-    /** Least share of the events with flow that a segment which counts holds. */
+    /** Least share of the events with flow that a segment holds to be counted. */
     public static final double LEAST_SHARE = 0.01;
 
     /**
@@ -46,23 +49,23 @@ public record RunSummary(String version, String request, RecordingSummary record
     public record Seconds(double wall, double decode, double engine, double output) {
     }
 
-    /** {@return whether each label follows from what came before its event only} */
+    /** {@return whether each label depends only on events before its own} */
     public boolean isCausal() {
         return !parameters.containsKey(LOOK_AHEAD);
     }
 
-    /** {@return events with flow among all, 0 to 1; 0 where there is no event} */
+    /** {@return the share of the events that have flow, 0 to 1; 0 if there is no event} */
     public double shareWithFlow() {
         return recording.events() == 0 ? 0 : (double) eventsWithFlow / recording.events();
     }
 
-    /** {@return events per second of wall time; 0 where none passed} */
+    /** {@return events per second of wall time; 0 if no time passed} */
     public double eventsPerSecond() {
         return seconds.wall > 0 ? recording.events() / seconds.wall : 0;
     }
 
     /**
-     * {@return track planes of one fate}
+     * {@return the number of track planes with a given fate}
      *
      * @param fate how they ended
      */
@@ -71,8 +74,8 @@ public record RunSummary(String version, String request, RecordingSummary record
     }
 
     /**
-     * {@return how many track planes a person would count} Those that hold at least a hundredth of the events with
-     * flow, with what was merged into them.
+     * {@return the number of track planes that a person would count} These hold at least a hundredth of the events with
+     * flow, including the events of planes merged into them.
      */
     public long countLarge() {
         return segments.stream().filter(segment -> segment.fate() != Segment.Fate.MERGED
@@ -80,11 +83,11 @@ public record RunSummary(String version, String request, RecordingSummary record
     }
 
     /**
-     * Writes a JSON document; leaves the stream open.
+     * Writes a JSON document and leaves the stream open.
      *
-     * @param out gets the text; left open
+     * @param out receives the text; left open
      * @param fileBytes sizes of the other results of the run, by name
-     * @throws IOException where it cannot be written
+     * @throws IOException if the document cannot be written
      */
     public void write(OutputStream out, Map<String, Long> fileBytes) throws IOException {
         try (JsonGenerator json = Json.open(out)) {
@@ -139,7 +142,7 @@ public record RunSummary(String version, String request, RecordingSummary record
      * {@return all parameters as a JSON object, as the summary holds them}
      *
      * @param parameters values by name
-     * @throws IOException where a value cannot be written
+     * @throws IOException if a value cannot be written
      */
     public static String parametersAsJson(Map<String, Object> parameters) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

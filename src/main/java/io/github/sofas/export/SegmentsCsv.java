@@ -9,26 +9,29 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Writes one row for every track plane, sorted by id: {@value #HEADER}. Velocities as in {@link FlowCsvWriter}.
- * {@code merged_into} is empty unless the fate is {@code merged}.
+ * Writes one row for every track plane, sorted by id: {@value #HEADER}. Velocities have the form of those in
+ * {@link FlowCsvWriter}. {@code merged_into} is empty unless the fate is {@code merged}.
  */
 public final class SegmentsCsv {
-    /** The first line, without its end. */
+    /** The first line, without its line end. */
     public static final String HEADER = "segment,first_t_us,last_t_us,events,vx_px_per_s,vy_px_per_s,"
         + "min_x,min_y,max_x,max_y,fate,merged_into,turn_rad_per_s,growth_per_s";
 
-    /** No row is longer: six numbers of at most 11 characters, three of 20, four velocities of 17, fate, separators. */
+    /**
+     * Room per row; no row is longer: six numbers of at most 11 characters, three of 20, four velocities of 17, fate,
+     * separators.
+     */
     private static final int ROW_LIMIT = 256;
 
     private SegmentsCsv() {
     }
 
     /**
-     * Writes header and rows; leaves the stream open.
+     * Writes the header and the rows, and leaves the stream open.
      *
-     * @param out gets the text; left open
+     * @param out receives the text; left open
      * @param segments in any order; none is given twice
-     * @throws IOException where they cannot be written
+     * @throws IOException if the rows cannot be written
      */
     public static void write(OutputStream out, List<Segment> segments) throws IOException {
         List<Segment> sorted = new ArrayList<>(segments);

@@ -7,17 +7,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** A format that tables are written in. */
+/** A file format of tables. */
 public enum TableFormat {
-    /** Text with commas, for everything. */
+    /** Text with commas, for any program. */
     CSV,
     /** Apache Parquet with Zstandard, for pandas, polars, DuckDB and Spark. */
     PARQUET,
-    /** An array for each column, for NumPy. */
+    /** An archive with an array for each column, for NumPy. */
     NPZ;
 
     /**
-     * {@return the format of a name such as parquet, in upper or lower case}
+     * {@return the format with a name such as parquet; empty if there is none}
      *
      * @param name in upper or lower case
      */
@@ -30,7 +30,7 @@ public enum TableFormat {
         return Optional.empty();
     }
 
-    /** {@return the ending of its files' names} */
+    /** {@return the extension of the names of its files} */
     public String extension() {
         return name().toLowerCase(Locale.ROOT);
     }
@@ -38,7 +38,7 @@ public enum TableFormat {
     /**
      * Starts a file.
      *
-     * @param metadata what is said of the table, by name; CSV has no place for it
+     * @param metadata descriptions of the table, by name; CSV has no place for them
      */
     TableWriter open(ResultFiles results, Path file, List<TableColumn> columns, Map<String, String> metadata)
             throws IOException {

@@ -2,14 +2,17 @@ package io.github.sofas.export;
 
 import java.util.List;
 
-/** Rows of a table in an array for each column, made once and filled again and again. For one thread at a time. */
+/**
+ * Rows of a table, with an array for each column. The arrays are made once and filled again and again. For one thread
+ * at a time.
+ */
 final class TableRows {
     private final List<TableColumn> columns;
     private final Object[] arrays;
     private final int capacity;
     private int size;
 
-    /** Makes room for so many rows. */
+    /** Makes room for {@code capacity} rows. */
     TableRows(List<TableColumn> columns, int capacity) {
         this.columns = List.copyOf(columns);
         this.capacity = capacity;
@@ -43,7 +46,7 @@ final class TableRows {
         return capacity;
     }
 
-    /** How many rows there are. */
+    /** Number of rows filled. */
     int size() {
         return size;
     }

@@ -12,21 +12,23 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Writes where each segment was and how it moved: one row for every {@value #STEP_US} µs and segment that has events
- * then, sorted by time, then segment. All of it is what the segment's events of that time say.
+ * Writes where each segment was and how it moved. The table has one row for every {@value #STEP_US} µs and segment with
+ * events in this step, sorted by time, then by segment. All values are computed from the segment's events in the step.
  *
- * <p>{@code t_us} is the start of the step, a multiple of {@value #STEP_US}; {@code x}, {@code y} the mean of the
- * events' pixels, {@code min_x} to {@code max_y} the box about them; {@code vx_px_per_s} and {@code vy_px_per_s} the
- * mean of their velocities; {@code turn_rad_per_s} (positive from right to down) and {@code growth_per_s} the turn and
- * growth of the velocities about the centre by least squares: v = v0 + turn (-y, x) + growth (x, y). They are empty
- * where the events lie too close together to tell. {@code events} is how many there were.
+ * <p>{@code t_us} is the start of the step, a multiple of {@value #STEP_US}. {@code x} and {@code y} are the mean of
+ * the events' pixels, and {@code min_x} to {@code max_y} their bounding box. {@code vx_px_per_s} and
+ * {@code vy_px_per_s} are the mean of their velocities.
+ *
+ * <p>{@code turn_rad_per_s} (positive from right to down) and {@code growth_per_s} are the turn and growth of the
+ * velocities about the centre by least squares: v = v0 + turn (-y, x) + growth (x, y). Both are empty if the events lie
+ * too close together to determine them. {@code events} is the number of events.
  */
 public final class TrackTable implements Closeable {
     /** Length of a step. */
     public static final int STEP_US = 10_000;
 
     private static final int ROWS = 1024;
-    /** Mean square distance from the centre below which turn and growth cannot be told, px². */
+    /** Mean square distance from the centre below which turn and growth cannot be determined, px². */
     private static final double LEAST_SQUARE_PX = 1;
     private static final List<TableColumn> COLUMNS = List.of(new TableColumn("t_us", Type.INT64),
         new TableColumn("segment", Type.INT32), new TableColumn("x", Type.FLOAT32),
@@ -38,13 +40,13 @@ public final class TrackTable implements Closeable {
 
     private final TableWriter table;
     private final TableRows rows = new TableRows(COLUMNS, ROWS);
-    /** The segments of the current step, by id. */
+    /** Sums of the segments of the current step, by id. */
     private final TreeMap<Integer, Sums> sums = new TreeMap<>();
     private Sums last;
     private int lastSegment;
     private long step = Long.MIN_VALUE;
 
-    /** What is summed up over the events of a segment. */
+    /** Sums over the events of a segment in one step. */
     private static final class Sums {
         private int count;
         private double x;
@@ -83,11 +85,11 @@ public final class TrackTable implements Closeable {
      * Starts a file.
      *
      * @param format of the file
-     * @param results that the file is one of
-     * @param file where it will be
-     * @param metadata what is said of the table, by name
+     * @param results group that holds the file until it is complete
+     * @param file path of the file after the commit
+     * @param metadata descriptions of the table, by name
      * @return the table
-     * @throws IOException where it cannot be made
+     * @throws IOException if the file cannot be made
      */
     public static TrackTable open(TableFormat format, ResultFiles results, Path file, Map<String, String> metadata)
             throws IOException {
@@ -97,7 +99,7 @@ public final class TrackTable implements Closeable {
     /**
      * Starts a table as CSV.
      *
-     * @param out gets the text; closed by {@link #close()}
+     * @param out receives the text; closed by {@link #close()}
      * @return the table
      */
     public static TrackTable csv(OutputStream out) {
@@ -108,8 +110,8 @@ public final class TrackTable implements Closeable {
      * Takes a batch, and writes the steps that are over.
      *
      * @param batch the events
-     * @param flow labelled by the engine for this batch
-     * @throws IOException where they cannot be written
+     * @param flow labels of the same events
+     * @throws IOException if the rows cannot be written
      */
     public void add(EventBatch batch, FlowOutput flow) throws IOException {
         for (int i = 0; i < batch.size(); i++) {
@@ -170,7 +172,7 @@ public final class TrackTable implements Closeable {
         rows.setSize(0);
     }
 
-    /** Writes what is left and closes the file. */
+    /** Writes the remaining rows and closes the file. */
     @Override
     public void close() throws IOException {
         try (table) {

@@ -7,16 +7,17 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Why most events of a recording found no flow, as far as the events show it. Each event without flow is asked three
- * things; where more than half of them answer one with yes, that is the likely reason, the first of these:
+ * Finds out why most events of a recording found no flow, as far as the events show it. Three properties are checked
+ * for each event without flow. The likely reason is the first of these that more than half of the events without flow
+ * have:
  * <ul>
- * <li>flicker: at its pixel light rose and fell again, twice over, in equal times of less than
+ * <li>flicker: at the event's pixel, light rose and fell twice in a row, in equal times of less than
  * {@value #LONGEST_FLICKER_US} µs;
- * <li>few pixels: it comes from one of the pixels that fire most, a thousandth of the sensor;
- * <li>noise: neither its pixel nor one of the eight around it fired within the {@value #COMPANY_US} µs before.
+ * <li>few pixels: the event comes from one of the pixels that fire most, a thousandth of the sensor;
+ * <li>noise: neither the event's pixel nor one of the eight around it fired within the {@value #COMPANY_US} µs before.
  * </ul>
- * Otherwise a recording shorter than {@value #SHORT_US} µs is too short, and any other moves too little, too seldom or
- * too irregularly.
+ * If there is none, a recording shorter than {@value #SHORT_US} µs is too short. In any other recording, the motion is
+ * too small, too rare or too irregular.
  */
 public final class WithoutFlow {
     private static final int LONGEST_FLICKER_US = 30_000;
@@ -30,11 +31,14 @@ public final class WithoutFlow {
 
     private final int width;
     private final int height;
-    /** Per pixel, times in µs from the first event as whole numbers that wrap; {@link #NEVER} where there is none. */
+    /**
+     * Time of each pixel's last event in µs from the first event, as a whole number that wraps; {@link #NEVER} if there
+     * is none.
+     */
     private final int[] lastUs;
-    /** Per pixel and polarity, when the newest run of events of that polarity began. */
+    /** Per pixel and polarity, time at which the newest run of events of that polarity began. */
     private final int[] runUs;
-    /** Per pixel, time between the beginnings of the last two runs of one polarity; 0 where not known. */
+    /** Per pixel, time between the beginnings of the last two runs of one polarity; 0 if not known. */
     private final int[] periodUs;
     private final byte[] polarity;
     private final boolean[] regular;
@@ -48,7 +52,7 @@ public final class WithoutFlow {
     private long alone;
 
     /**
-     * Makes one for a recording of a sensor.
+     * Starts without events.
      *
      * @param sensor size of the sensor
      */
@@ -67,7 +71,7 @@ public final class WithoutFlow {
     }
 
     /**
-     * Adds a labelled batch; batches come in order.
+     * Adds a labelled batch. Batches must come in order.
      *
      * @param batch the events
      * @param flow their labels
@@ -98,7 +102,7 @@ public final class WithoutFlow {
         }
     }
 
-    /** Keeps how long light takes at a pixel from rise to rise and from fall to fall. */
+    /** Updates the time that light at a pixel takes from rise to rise and from fall to fall. */
     private void follow(int pixel, byte sign, int nowUs) {
         if (sign == polarity[pixel]) {
             return;
@@ -125,7 +129,7 @@ public final class WithoutFlow {
         return true;
     }
 
-    /** {@return the likely reason in words; empty where at least half of the events have flow} */
+    /** {@return the likely reason in words; empty if at least half of the events have flow} */
     public String likelyReason() {
         if (unlabelled <= MOST * events) {
             return "";

@@ -8,14 +8,16 @@ import java.awt.image.DataBufferInt;
 import java.util.Arrays;
 
 /**
- * A picture whose ground stays: what is painted on it is remembered, and wiped off by copying the ground there. Painted
- * is what has been through {@link #fill}, {@link #blend} or {@link #stamp}; whoever paints the image itself paints the
- * ground, which {@link #keepAsGround} takes.
+ * A picture in front of a fixed ground. The canvas records where the picture is painted, so that {@link #wipe} restores
+ * the ground there and nowhere else.
  *
- * <p>Strips of 16 pixels of a row are remembered, one store per pixel.
+ * <p>{@link #fill}, {@link #blend} and {@link #stamp} paint the picture. To paint the ground, draw on the image itself
+ * and call {@link #keepAsGround}.
+ *
+ * <p>The record is kept for strips of 16 pixels of a row and costs about one store per pixel painted.
  */
 final class Canvas {
-    /** Pixels of a strip. */
+    /** Length of a strip in pixels. */
     static final int SIDE = 16;
     private static final int SHIFT = 4;
     private static final int OPAQUE = 256;
@@ -24,10 +26,10 @@ final class Canvas {
     private final int width;
     private final int[] pixels;
     private final int[] ground;
-    /** Whether a strip was painted on since it was wiped. */
+    /** Whether each strip was painted on since the last wipe. */
     private final boolean[] painted;
 
-    /** Makes a black canvas, with a ground to be painted; its width must be a multiple of 16. */
+    /** Makes a black canvas whose ground is still to be painted. The width must be a multiple of 16. */
     Canvas(int width, int height) {
         this.width = width;
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -36,7 +38,7 @@ final class Canvas {
         painted = new boolean[pixels.length / SIDE];
     }
 
-    /** Draws on any image with smooth edges. */
+    /** Returns a graphics context that draws on any image with smooth edges. */
     static Graphics2D graphics(BufferedImage image) {
         Graphics2D g = image.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -52,13 +54,13 @@ final class Canvas {
         return width;
     }
 
-    /** Takes the picture as it is for the ground. */
+    /** Takes the present picture as the ground. */
     void keepAsGround() {
         System.arraycopy(pixels, 0, ground, 0, pixels.length);
         Arrays.fill(painted, false);
     }
 
-    /** Begins a picture: the ground is all that is left. */
+    /** Begins a new picture: restores the ground. */
     void wipe() {
         for (int strip = 0; strip < painted.length; strip++) {
             if (painted[strip]) {
@@ -68,19 +70,19 @@ final class Canvas {
         }
     }
 
-    /** Paints a square, given by its first pixel and no larger than a strip is long. */
+    /** Paints a square, given by the index of its top left pixel. Its side must be at most {@link #SIDE}. */
     void fill(int first, int side, int rgb) {
         for (int row = 0, from = first; row < side; row++, from += width) {
             painted[from >> SHIFT] = true;
             painted[from + side - 1 >> SHIFT] = true;
-            // a few pixels: calls to fill an array would take longer
+            // so few pixels that calls to fill an array would take longer
             for (int i = from; i < from + side; i++) {
                 pixels[i] = rgb;
             }
         }
     }
 
-    /** Mixes a colour into a pixel, by a share of 256. */
+    /** Mixes a colour into a pixel, with a weight of {@code share} / 256. */
     void blend(int at, int rgb, int share) {
         painted[at >> SHIFT] = true;
         int below = pixels[at];
@@ -89,7 +91,7 @@ final class Canvas {
         pixels[at] = redBlue & 0xFF00FF | green & 0xFF00;
     }
 
-    /** Paints an image with transparency (ARGB) where it lies in a part of the picture. */
+    /** Paints an image with transparency (ARGB), clipped to a part of the picture. */
     void stamp(BufferedImage stamp, int left, int top, Rectangle part) {
         int[] colours = ((DataBufferInt) stamp.getRaster().getDataBuffer()).getData();
         int endX = Math.min(left + stamp.getWidth(), part.x + part.width);
@@ -98,7 +100,7 @@ final class Canvas {
             for (int x = Math.max(left, part.x); x < endX; x++) {
                 int argb = colours[(y - top) * stamp.getWidth() + x - left];
                 if (argb >>> 24 != 0) {
-                    // 255 is all of it
+                    // alpha 255 is the whole share, 256
                     blend(y * width + x, argb & 0xFFFFFF, (argb >>> 24) + (argb >>> 31));
                 }
             }

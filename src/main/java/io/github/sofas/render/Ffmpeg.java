@@ -14,19 +14,22 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The program {@code ffmpeg} on PATH, which is given raw pictures and writes an MP4. One thread, and neither dates nor
- * versions in the file's headers, so that the same pictures are the same bytes.
+ * The program {@code ffmpeg} on PATH. It receives raw pictures through a pipe and writes an MP4. It runs on one thread
+ * and writes neither dates nor versions into the headers of the file, so that the same pictures give the same bytes.
  *
- * @param program its path
- * @param options its H.264 encoder, and how fine that encodes
+ * @param program path of the program
+ * @param options its H.264 encoder, followed by the options that determine the quality
  */
 record Ffmpeg(Path program, List<String> options) {
-    /** Encoders and their options, the first that ffmpeg has is taken; ffmpeg built without the GPL has the second. */
+    /**
+     * Encoders with their options. The first one that ffmpeg has is taken; an ffmpeg built without the GPL has the
+     * second.
+     */
     private static final List<List<String>> ENCODERS = List.of(
         List.of("libx264", "-preset", "veryfast", "-crf", "18"),
         List.of("libopenh264", "-rc_mode", "off", "-g", "300"));
 
-    /** {@return the first ffmpeg on PATH; null where there is none, or it has no encoder for H.264} */
+    /** {@return the first ffmpeg on PATH; null if there is none, or if it has no encoder for H.264} */
     static Ffmpeg onPath() {
         String path = System.getenv("PATH");
         for (String folder : path == null ? new String[0] : path.split(File.pathSeparator)) {
@@ -53,12 +56,12 @@ record Ffmpeg(Path program, List<String> options) {
             }
             return null;
         } catch (IOException e) {
-            // a file of that name that is no program
+            // a file of that name that is not a program
             return null;
         }
     }
 
-    /** Starts the program. */
+    /** Starts the program and returns the film that sends pictures to it. */
     Film film(Path file, double fps, int width, int height) throws IOException {
         List<String> command = new ArrayList<>(List.of(program.toString(), "-hide_banner", "-loglevel", "error",
             "-f", "rawvideo", "-pixel_format", "bgr0", "-video_size", width + "x" + height,
@@ -69,7 +72,7 @@ record Ffmpeg(Path program, List<String> options) {
         return new Pictures(command, width, height);
     }
 
-    /** What the program is given. */
+    /** A film whose pictures go to the standard input of the program. */
     private static final class Pictures implements Film {
         private final Path messages = Files.createTempFile("sofas-ffmpeg", ".txt");
         private final Process process;
@@ -81,7 +84,7 @@ record Ffmpeg(Path program, List<String> options) {
             process = new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .redirectError(messages.toFile()).start();
             out = process.getOutputStream();
-            // blue, green, red and a byte that does not count
+            // blue, green, red and an unused byte
             bytes = ByteBuffer.allocate(4 * width * height).order(ByteOrder.LITTLE_ENDIAN);
         }
 
@@ -91,7 +94,7 @@ record Ffmpeg(Path program, List<String> options) {
             try {
                 out.write(bytes.array());
             } catch (IOException e) {
-                // it has ended; why is in its messages
+                // the program has ended; close() throws with its messages, which give the reason
                 close();
                 throw e;
             }

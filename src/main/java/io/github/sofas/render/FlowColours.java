@@ -1,20 +1,20 @@
 package io.github.sofas.render;
 
 /**
- * The colour of a velocity: its direction round a wheel, from the background's grey at rest to full colour at the
- * greatest speed and above.
+ * The colours of velocities. The direction selects a hue on a wheel. The speed determines how strong the hue is: at
+ * rest half of the colour is the grey of events without flow, and at the speed of the full colour and above none of it.
  *
  * <p>The wheel of {@link Wheel#SAFE} goes through orange (right), violet (down), blue (left) and yellow green (up).
- * Orange and yellow green stay yellowish, violet and blue stay bluish to people who cannot distinguish red and green,
- * and in each pair one is lighter, so that all four directions stay apart. {@link Wheel#HUE} is the circle of hues that
- * most papers use.
+ * People who cannot distinguish red and green see orange and yellow green as yellowish, violet and blue as bluish. One
+ * colour of each pair is lighter, so that all four directions remain distinguishable. {@link Wheel#HUE} is the circle
+ * of hues that most papers use.
  */
 public final class FlowColours {
     private static final int[] SAFE_DARK = {0xFF7A1A, 0xB455E8, 0x2E8BFF, 0xD2E600};
     private static final int[] SAFE_LIGHT = {0xC84B00, 0x7B2AA8, 0x1474E8, 0xB5C400};
     private static final int DIRECTIONS = 256;
     private static final int SPEEDS = 16;
-    /** Direction, in steps, whose tangent is i / 1024: the first eighth of the turn. */
+    /** Direction, in steps of the table, whose tangent is i / 1024. Covers the first eighth of the turn. */
     private static final double[] EIGHTH = new double[1025];
 
     static {
@@ -23,14 +23,14 @@ public final class FlowColours {
         }
     }
 
-    /** Colour of each direction, from right to down, at each speed. */
+    /** Colour of each direction (starting at right, turning to down) at each speed. */
     private final int[] table = new int[DIRECTIONS * (SPEEDS + 1)];
 
-    /** Which colours stand for which direction. */
+    /** The assignment of colours to directions. */
     public enum Wheel {
-        /** Told apart by colour-blind people too. */
+        /** Colours that colour-blind people can distinguish, too. */
         SAFE,
-        /** The circle of hues: red right, then with the hands of a clock. */
+        /** The circle of hues: red is right, the others follow clockwise. */
         HUE;
 
         @Override
@@ -43,7 +43,7 @@ public final class FlowColours {
      * Makes the colours of a wheel on a theme's background.
      *
      * @param wheel colours of the directions
-     * @param theme of the page
+     * @param theme theme of the page
      */
     public FlowColours(Wheel wheel, Theme theme) {
         int[] anchors = theme == Theme.DARK ? SAFE_DARK : SAFE_LIGHT;
@@ -57,7 +57,7 @@ public final class FlowColours {
                 full = mix(anchors[from], anchors[(from + 1) % 4], at - from);
             }
             for (int s = 0; s <= SPEEDS; s++) {
-                // never wholly grey: slow motion has a direction too
+                // never entirely grey, since slow motion has a direction, too
                 table[d * (SPEEDS + 1) + s] = mix(theme.faint, full, 0.5 + 0.5 * s / SPEEDS);
             }
         }
@@ -77,7 +77,7 @@ public final class FlowColours {
         return table[d * (SPEEDS + 1) + s];
     }
 
-    /** The nearest direction; by a table, as every pixel of every picture asks. */
+    /** The nearest direction. Taken from a table, since every pixel of every picture needs it. */
     private static int direction(double vx, double vy) {
         double x = Math.abs(vx);
         double y = Math.abs(vy);
@@ -89,7 +89,7 @@ public final class FlowColours {
         return (int) (d + 0.5) & DIRECTIONS - 1;
     }
 
-    /** Mixes in light as screens emit it, so that halfway is not darker than both ends. */
+    /** Mixes two colours by the light that screens emit, so that the middle is not darker than both ends. */
     static int mix(int a, int b, double share) {
         int rgb = 0;
         for (int shift = 0; shift <= 16; shift += 8) {

@@ -5,12 +5,12 @@ import java.awt.image.IndexColorModel;
 import java.util.Arrays;
 
 /**
- * The colours of one picture of a GIF, at most 255 and one that lets the picture before shine through. Colours that
- * differ by less than 8 of 256 steps of red, green and blue count as one; of too many the most frequent are taken, and
- * the nearest of these stands for the others.
+ * The palette of one picture of a GIF: at most 255 colours, and one transparent entry that shows the picture before.
+ * Colours count as one if red, green and blue each fall into the same 8 of 256 steps. If there are too many colours,
+ * the palette holds the most frequent ones, and the nearest of these replaces each of the others.
  */
 final class GifColours {
-    /** What shows the picture before. */
+    /** Index of the transparent entry, which shows the picture before. */
     static final int TRANSPARENT = 255;
 
     private static final int BINS = 1 << 15;
@@ -40,7 +40,7 @@ final class GifColours {
         }
     }
 
-    /** Chooses among the colours that were counted. */
+    /** Chooses the palette from the colours counted. */
     IndexColorModel choose() {
         long[] frequent = new long[size];
         for (int i = 0; i < size; i++) {
@@ -78,7 +78,7 @@ final class GifColours {
         return nearest;
     }
 
-    /** Place of a colour that was counted among those chosen. */
+    /** Index in the palette of a colour that was counted, or of its replacement. */
     byte index(int rgb) {
         return index[bin(rgb)];
     }

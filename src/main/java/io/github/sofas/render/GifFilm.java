@@ -16,8 +16,8 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 
 /**
- * An animated GIF that repeats for ever. Each picture has colours of its own, and of the later ones only what differs
- * from the picture before is written.
+ * An animated GIF that repeats for ever. Each picture has a palette of its own. Of every picture after the first, only
+ * the part that differs from the picture before is written.
  */
 public final class GifFilm implements Film {
     private static final String FORMAT = "javax_imageio_gif_image_1.0";
@@ -32,9 +32,9 @@ public final class GifFilm implements Film {
     /**
      * Starts a film.
      *
-     * @param file gets the GIF; closed with the film
-     * @param fps pictures per second; {@link #nearestFps} of it is taken
-     * @throws IOException where it cannot be written
+     * @param file receives the GIF; closed with the film
+     * @param fps pictures per second; the film takes {@link #nearestFps} of this rate
+     * @throws IOException if the GIF cannot be written
      */
     public GifFilm(OutputStream file, double fps) throws IOException {
         out = ImageIO.createImageOutputStream(file);
@@ -43,15 +43,15 @@ public final class GifFilm implements Film {
     }
 
     /**
-     * {@return the rate that a GIF can have which is nearest to a wanted one, pictures per second; at most 50}
+     * {@return the rate nearest to a wanted one that a GIF can have, in pictures per second; at most 50}
      *
-     * @param fps pictures per second
+     * @param fps wanted rate in pictures per second
      */
     public static double nearestFps(double fps) {
         return 100.0 / delay(fps);
     }
 
-    /** In hundredths of a second; browsers take a delay below 2 for 10. */
+    /** Delay between pictures in hundredths of a second, at least 2: browsers replace smaller delays by 10. */
     private static int delay(double fps) {
         return (int) Math.min(65_535, Math.max(2, Math.round(100 / fps)));
     }
@@ -87,7 +87,7 @@ public final class GifFilm implements Film {
         System.arraycopy(rgb, 0, before, 0, rgb.length);
     }
 
-    /** All that differs from the picture before; one pixel where nothing does. */
+    /** The smallest rectangle that holds all differences from the picture before; one pixel if there are none. */
     private Rectangle changed(int[] rgb, int width, int height) {
         int top = 0;
         while (top < height - 1 && Arrays.equals(rgb, top * width, top * width + width, before, top * width,
@@ -112,7 +112,7 @@ public final class GifFilm implements Film {
         return new Rectangle(Math.min(left, right), top, Math.abs(right - left) + 1, bottom - top + 1);
     }
 
-    /** A part in its best colours; what did not change is transparent, which packs well. */
+    /** A part of the picture with a palette of its own. Unchanged pixels are transparent, which compresses well. */
     private BufferedImage indexed(int[] rgb, int width, Rectangle part) {
         colours.clear();
         for (int y = part.y; y < part.y + part.height; y++) {

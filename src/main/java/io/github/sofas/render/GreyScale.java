@@ -2,10 +2,10 @@ package io.github.sofas.render;
 
 import io.github.sofas.event.GreyFrame;
 
-/** Stretches the contrast of frames, which cameras seldom fill. */
+/** Stretches the contrast of frames, because the frames of cameras seldom fill the range of grey levels. */
 final class GreyScale {
     private static final int LEVELS = 256;
-    /** Share of the pixels that may become wholly black, and wholly white. */
+    /** Share of the pixels that may become entirely black, and the same for white. */
     private static final double CLIPPED = 0.01;
 
     private GreyScale() {

@@ -28,22 +28,31 @@ import org.jcodec.containers.mp4.boxes.MovieBox;
 import org.jcodec.containers.mp4.boxes.NodeBox;
 import org.jcodec.containers.mp4.muxer.MP4Muxer;
 
-/** An MP4 encoded by jcodec. */
+/**
+ * An MP4 file, encoded by the library jcodec. Its settings suit pictures of events, and the same pictures give the same
+ * bytes.
+ */
 final class JcodecFilm implements Film {
-    /** Ticks per second of the film's clock: whole numbers of them for all usual rates. */
+    /** Ticks per second of the film's clock: a picture takes a whole number of ticks at all usual rates. */
     private static final int TIMESCALE = 90_000;
-    /** Pictures from one whole one to the next: where a player can begin. */
+    /** Number of pictures from one complete picture to the next; players can start at a complete one. */
     private static final int KEY_INTERVAL = 300;
     /**
-     * How coarse coefficients are. jcodec predicts from pictures that are not smoothed, players from smoothed ones:
-     * what stands still takes on a tint. Up to 15 the standard smooths nothing; with 12 files are 4 % larger and
-     * colours on average 0.2 instead of 0.9 of 255 levels off.
+     * Quantisation of the coefficients: larger is coarser. jcodec predicts from pictures that are not smoothed, players
+     * predict from smoothed ones. Areas that stand still therefore take on a tint. Up to 15, the standard smooths
+     * nothing. With 12, files are 4 % larger, and colours are off by 0.2 instead of 0.9 of 255 levels on average.
      */
     private static final int QUANTISATION = 12;
-    /** Dots come and go, they do not shift by whole blocks: a search finds nothing and doubles the time. */
+    /**
+     * Range of the search for motion, 0 for none. Dots appear and vanish, but do not shift by whole blocks: a search
+     * would find nothing and double the time.
+     */
     private static final int SEARCH_RANGE = 0;
 
-    /** Parts of the file's header that begin with version and flags, when it was made and when it was changed. */
+    /**
+     * Boxes of the file's header that begin with version and flags, followed by the times of creation and of
+     * modification.
+     */
     private static final Set<String> DATED = Set.of("mvhd", "tkhd", "mdhd");
     private static final int HEADER_BYTES = 8;
     private static final int DATES_AT = HEADER_BYTES + 4;
@@ -58,7 +67,7 @@ final class JcodecFilm implements Film {
     private int pictures;
     private boolean closed;
 
-    /** Starts a film of pictures whose sides are even. */
+    /** Starts a film of pictures whose width and height are even. */
     JcodecFilm(Path file, double fps, int width, int height) throws IOException {
         channel = NIOUtils.writableChannel(file.toFile());
         muxer = MP4Muxer.createMP4Muxer(channel, Brand.MP4);
@@ -68,11 +77,11 @@ final class JcodecFilm implements Film {
         encoder.setKeyInterval(KEY_INTERVAL);
         encoder.setMotionSearchRange(SEARCH_RANGE);
         yuv = Picture.create(width, height, ColorSpace.YUV420J);
-        // noise takes less than twice the bytes of its values
+        // even noise takes less than twice the bytes of its samples
         buffer = ByteBuffer.allocate((1 << 16) + 3 * width * height);
     }
 
-    /** The same coarseness for all blocks. */
+    /** The same quantisation for all blocks. */
     private static final class OneQuantisation implements RateControl {
         @Override
         public int startPicture(Size size, int mostBytes, SliceType kind) {
@@ -100,7 +109,10 @@ final class JcodecFilm implements Film {
         pictures++;
     }
 
-    /** Brightness of each pixel and colours of four together, as BT.601 has them for video, less by 128. */
+    /**
+     * Converts RGB to the luma of each pixel and the chroma of each 2 x 2 pixels, by BT.601 in the range of video,
+     * minus 128.
+     */
     private static void convert(int[] rgb, Picture yuv) {
         byte[] luma = yuv.getPlaneData(0);
         byte[] blue = yuv.getPlaneData(1);
@@ -143,7 +155,7 @@ final class JcodecFilm implements Film {
         }
     }
 
-    /** Sets when it was made to nothing: the same pictures are the same file. */
+    /** Sets the times of creation and modification to zero, so that the same pictures give the same file. */
     private static void removeDates(NodeBox box) {
         List<Box> children = box.getBoxes();
         for (int i = 0; i < children.size(); i++) {

@@ -4,7 +4,10 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.FlowOutput;
 
-/** The last event of every pixel with its label, and which of them are still exposed. */
+/**
+ * The last event of every pixel with its label. Determines which of these events are still exposed: those of a time
+ * span, or a number of the newest events. The memory does not grow with the recording.
+ */
 final class LastEvents {
     private final SensorSize sensor;
     private final long exposureUs;
@@ -16,12 +19,15 @@ final class LastEvents {
     private final float[] vy;
     private final int[] segment;
     private long events;
-    /** Pixels in the order of their events; only a pixel's last place, which is remembered beside, counts. */
+    /**
+     * Pixels in the order of their events. A pixel may occur more than once; only its last occurrence counts, whose
+     * index {@link #place} holds.
+     */
     private final int[] order;
     private final int[] place;
     private int ordered;
 
-    /** Makes it without events; one of the exposures of {@link PictureOptions} is 0. */
+    /** Starts without events. One of the two exposures, as in {@link PictureOptions}, is 0. */
     LastEvents(SensorSize sensor, long exposureUs, long exposureEvents) {
         this.sensor = sensor;
         this.exposureUs = exposureUs;
@@ -37,7 +43,7 @@ final class LastEvents {
         place = new int[n];
     }
 
-    /** Takes events of a batch, from one place to before another; those outside the sensor are passed over. */
+    /** Takes the events of a batch from one index to before another. Events outside the sensor are skipped. */
     void add(EventBatch batch, FlowOutput flow, int from, int to) {
         int columns = sensor.width();
         for (int i = from; i < to; i++) {
@@ -75,8 +81,9 @@ final class LastEvents {
     /**
      * Finds the pixels whose last event is exposed at a time.
      *
-     * @param pixels takes them, row by row times the sensor's width, the newest first; as many as the sensor has fit
-     * @return how many there are
+     * @param pixels receives their indices, row times the sensor's width plus column, those with the newest events
+     *     first; must have room for all pixels of the sensor
+     * @return number of exposed pixels
      */
     int exposed(long timeUs, int[] pixels) {
         int count = 0;
@@ -97,17 +104,17 @@ final class LastEvents {
         return polarity[pixel];
     }
 
-    /** Its velocity to the right, px/s. */
+    /** Velocity to the right of a pixel's last event, px/s. */
     float vx(int pixel) {
         return vx[pixel];
     }
 
-    /** The same, downwards. */
+    /** Velocity downwards of a pixel's last event, px/s. */
     float vy(int pixel) {
         return vy[pixel];
     }
 
-    /** Its segment, 0 for none. */
+    /** Segment of a pixel's last event, 0 for none. */
     int segment(int pixel) {
         return segment[pixel];
     }

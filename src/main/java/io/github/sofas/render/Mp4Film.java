@@ -5,9 +5,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /**
- * An MP4 file with H.264 video, which browsers and players show without further software. Encoded by {@code ffmpeg}
- * where it is on PATH with an H.264 encoder, else by jcodec, which takes three times as long and files several times as
- * large. Either gives the same bytes for the same pictures; ffmpeg's depend on its version.
+ * An MP4 file with H.264 video, which browsers and players show without further software. The encoder is {@code ffmpeg}
+ * if it is on PATH and has an H.264 encoder, otherwise jcodec. jcodec takes three times as long and makes files several
+ * times as large. Either encoder gives the same bytes for the same pictures; those of ffmpeg depend on its version.
  */
 public final class Mp4Film implements Film {
     private final Path file;
@@ -18,7 +18,7 @@ public final class Mp4Film implements Film {
     /**
      * Starts a film, encoded by the best encoder on this machine.
      *
-     * @param file gets the film; must not be in use
+     * @param file receives the film; must not be in use
      * @param fps pictures per second
      * @throws IOException never
      */
@@ -29,10 +29,10 @@ public final class Mp4Film implements Film {
     /**
      * Starts a film.
      *
-     * @param file gets the film; must not be in use
+     * @param file receives the film; must not be in use
      * @param fps pictures per second
-     * @param encoder which encodes it
-     * @throws IOException where ffmpeg is asked for and not on PATH, or has no H.264 encoder
+     * @param encoder encoder of the film
+     * @throws IOException if {@code FFMPEG} is requested, but ffmpeg is not on PATH or has no H.264 encoder
      */
     public Mp4Film(Path file, double fps, Encoder encoder) throws IOException {
         this.file = file;
@@ -43,9 +43,9 @@ public final class Mp4Film implements Film {
         }
     }
 
-    /** What encodes an MP4. */
+    /** The encoder of an MP4 file. */
     public enum Encoder {
-        /** ffmpeg where it is on PATH, else jcodec. */
+        /** ffmpeg if it is on PATH with an H.264 encoder, otherwise jcodec. */
         AUTO,
         /** The program {@code ffmpeg} on PATH, with libx264 or libopenh264. */
         FFMPEG,
@@ -53,7 +53,7 @@ public final class Mp4Film implements Film {
         JCODEC
     }
 
-    /** {@return what encodes this film, never {@link Encoder#AUTO}} */
+    /** {@return the encoder of this film, never {@link Encoder#AUTO}} */
     public Encoder encoder() {
         return ffmpeg != null ? Encoder.FFMPEG : Encoder.JCODEC;
     }
@@ -67,7 +67,7 @@ public final class Mp4Film implements Film {
         film.add(picture);
     }
 
-    /** Completes the file; one without pictures is not made. May be called more than once. */
+    /** Completes the file; a film without pictures makes no file. May be called more than once. */
     @Override
     public void close() throws IOException {
         if (film != null) {

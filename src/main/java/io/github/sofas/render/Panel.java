@@ -1,14 +1,14 @@
 package io.github.sofas.render;
 
-/** One view of the sensor. */
+/** A view of the sensor. A picture shows one or more of these views side by side. */
 public enum Panel {
-    /** ON and OFF. */
+    /** Polarity of each event: ON or OFF. */
     EVENTS("events"),
-    /** Velocity of each event, by colour wheel. */
+    /** Velocity of each event, as a colour of the wheel. */
     FLOW("flow"),
-    /** Segment of each event by colour, with ids and velocity arrows. */
+    /** Segment of each event, as a colour, with ids and velocity arrows. */
     SEGMENTS("segments"),
-    /** Where the track planes expect their events; only while SOFAS itself labels them. */
+    /** Contours: where the track planes expect their events. Only available while SOFAS itself labels the events. */
     CONTOURS("contours of the track planes"),
     /** The camera's grey-level frames. */
     GREY("grey-level frames");

@@ -8,7 +8,10 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 
-/** Titles, legends and empty panels, which stay from picture to picture. */
+/**
+ * Paints the ground of a picture: titles, legends and empty panels. The ground stays from picture to picture, and is
+ * painted again only when the speed in the legends changes.
+ */
 final class PanelGround {
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 14);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
@@ -19,7 +22,7 @@ final class PanelGround {
     private final List<Panel> panels;
     private final Theme theme;
     private final FlowColours flowColours;
-    /** What the legends say; 0 before the first. */
+    /** Speed of the full colour that the legends show, px/s; 0 before the ground is first painted. */
     private double saidPxPerS;
 
     PanelGround(Canvas canvas, PanelLayout layout, List<Panel> panels, Theme theme, FlowColours flowColours) {
@@ -30,7 +33,7 @@ final class PanelGround {
         this.flowColours = flowColours;
     }
 
-    /** Paints the canvas's ground for a speed of the full colour, unless it is there. */
+    /** Paints the ground of the canvas for a speed of the full colour, unless the canvas already has it. */
     void paint(double fullPxPerS) {
         if (fullPxPerS == saidPxPerS) {
             return;
@@ -51,7 +54,7 @@ final class PanelGround {
             g.drawString(panel.title, left, top - PanelLayout.BASELINE);
             g.setFont(TEXT);
             if (panel == Panel.GREY) {
-                // frames cover it
+                // frames cover this text
                 g.drawString("no frame so far", left + PanelLayout.MARGIN, top + 2 * PanelLayout.MARGIN);
             }
             paintLegend(g, panel, left, top + layout.panelHeight() + 6);

@@ -3,17 +3,23 @@ package io.github.sofas.render;
 import io.github.sofas.event.SensorSize;
 import java.awt.Rectangle;
 
-/** Where the panels of a picture lie, two a row, each with its title above and its legend below, in screen pixels. */
+/**
+ * The places of the panels on a picture, in screen pixels: two panels per row, each with its title above and its legend
+ * below.
+ */
 final class PanelLayout {
     static final int MARGIN = 8;
     static final int LEGEND = 64;
-    /** From a panel up to the line that its title stands on. */
+    /** Distance from a panel up to the baseline of its title. */
     static final int BASELINE = 7;
     private static final int TITLE = 24;
     private static final int LEAST_WIDTH = 480;
-    /** Video codecs take whole blocks of 16 x 16 pixels. */
+    /** Block of video codecs: they take pictures of whole blocks of 16 x 16 pixels. */
     private static final int BLOCK = 16;
-    /** Those of level 5.1 of H.264, which players decode: 36,864 blocks, such as 4096 x 2304. */
+    /**
+     * Most pixels of a picture: those of level 5.1 of H.264, which players decode. These are 36,864 blocks, such as
+     * 4096 x 2304.
+     */
     private static final int MOST_PIXELS = 36_864 * BLOCK * BLOCK;
 
     private final PictureOptions.Crop crop;
@@ -22,9 +28,9 @@ final class PanelLayout {
     private final int height;
 
     /**
-     * Lays out the panels of a sensor.
+     * Lays out the panels for a sensor.
      *
-     * @throws IllegalArgumentException where the crop is not on the sensor, or a picture would have too many pixels
+     * @throws IllegalArgumentException if the crop is not on the sensor, or if a picture would have too many pixels
      */
     PanelLayout(SensorSize sensor, PictureOptions options) {
         crop = options.crop() != null ? options.crop()
@@ -89,7 +95,7 @@ final class PanelLayout {
         return new Rectangle(left(panel), top(panel), panelWidth(), panelHeight());
     }
 
-    /** Place of a panel's first pixel among those of the picture. */
+    /** Index of a panel's top left pixel among the pixels of the picture. */
     int corner(int panel) {
         return top(panel) * width + left(panel);
     }
@@ -99,12 +105,12 @@ final class PanelLayout {
         return x >= crop.x() && x < crop.x() + crop.width() && y >= crop.y() && y < crop.y() + crop.height();
     }
 
-    /** From a panel's first pixel to that of a pixel of the sensor that is shown. */
+    /** Offset from a panel's top left pixel to that of a pixel of the sensor, which must be shown. */
     int within(int x, int y) {
         return ((y - crop.y()) * width + x - crop.x()) * scale;
     }
 
-    /** Length of the arrow of the full speed. */
+    /** Length of an arrow for the speed of the full colour. */
     double barLength() {
         return Math.min(100, panelWidth() / 4.0);
     }

@@ -3,16 +3,17 @@ package io.github.sofas.render;
 import java.util.List;
 
 /**
- * What a picture shows, and how.
+ * The options of a picture: which panels it shows, of which events and which part of the sensor, and how.
  *
- * @param panels from left to right, two a row; each at most once
+ * @param panels panels from left to right, two per row; each at most once
  * @param theme dark or light
  * @param wheel colours of directions
- * @param scale screen pixels per pixel of the sensor, 1 to 16; 0 so that a panel is at least 480 wide
- * @param exposureUs how long an event is shown, µs; 0 where {@code exposureEvents} counts
- * @param exposureEvents how many events are shown; 0 where {@code exposureUs} counts
- * @param fullPxPerS speed of the full colour in px/s; 0 so that it follows what is seen, upwards only
- * @param crop what is shown of the sensor; null for all of it
+ * @param scale screen pixels per pixel of the sensor, 1 to 16; 0 for the smallest that makes a panel at least 480 px
+ *     wide
+ * @param exposureUs time for which an event is shown, µs; 0 if {@code exposureEvents} applies
+ * @param exposureEvents number of newest events shown; 0 if {@code exposureUs} applies
+ * @param fullPxPerS speed of the full colour in px/s; 0 for a speed that follows the events shown, upwards only
+ * @param crop part of the sensor that is shown; null for all of it
  */
 public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel wheel, int scale, long exposureUs,
                              long exposureEvents, double fullPxPerS, Crop crop) {
@@ -29,17 +30,18 @@ public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel 
     }
 
     /**
-     * Checks all.
+     * Checks the options.
      *
-     * @param panels from left to right, two a row; each at most once
+     * @param panels panels from left to right, two per row; each at most once
      * @param theme dark or light
      * @param wheel colours of directions
-     * @param scale screen pixels per pixel of the sensor, 1 to 16; 0 so that a panel is at least 480 wide
-     * @param exposureUs how long an event is shown, µs; 0 where {@code exposureEvents} counts
-     * @param exposureEvents how many events are shown; 0 where {@code exposureUs} counts
-     * @param fullPxPerS speed of the full colour in px/s; 0 so that it follows what is seen, upwards only
-     * @param crop what is shown of the sensor; null for all of it
-     * @throws IllegalArgumentException where one is out of range
+     * @param scale screen pixels per pixel of the sensor, 1 to 16; 0 for the smallest that makes a panel at least 480
+     *     px wide
+     * @param exposureUs time for which an event is shown, µs; 0 if {@code exposureEvents} applies
+     * @param exposureEvents number of newest events shown; 0 if {@code exposureUs} applies
+     * @param fullPxPerS speed of the full colour in px/s; 0 for a speed that follows the events shown, upwards only
+     * @param crop part of the sensor that is shown; null for all of it
+     * @throws IllegalArgumentException if an option is out of range
      */
     public PictureOptions {
         panels = List.copyOf(panels);
@@ -58,25 +60,25 @@ public record PictureOptions(List<Panel> panels, Theme theme, FlowColours.Wheel 
         }
     }
 
-    /** {@return flow and segments on dark ground, events of the last 33 ms} */
+    /** {@return options for flow and segments on dark ground, with the events of the last 33 ms} */
     public static PictureOptions defaults() {
         return new PictureOptions(List.of(Panel.FLOW, Panel.SEGMENTS), Theme.DARK, FlowColours.Wheel.SAFE, 0, 33_333, 0,
             0, null);
     }
 
     /**
-     * {@return these with other panels}
+     * {@return these options with other panels}
      *
-     * @param newPanels one or more, each once
+     * @param newPanels one panel or more, each once
      */
     public PictureOptions withPanels(List<Panel> newPanels) {
         return new PictureOptions(newPanels, theme, wheel, scale, exposureUs, exposureEvents, fullPxPerS, crop);
     }
 
     /**
-     * {@return these with another scale}
+     * {@return these options with another scale}
      *
-     * @param newScale screen pixels per pixel of the sensor; 0 for what fits
+     * @param newScale screen pixels per pixel of the sensor; 0 for the smallest that makes a panel at least 480 px wide
      */
     public PictureOptions withScale(int newScale) {
         return new PictureOptions(panels, theme, wheel, newScale, exposureUs, exposureEvents, fullPxPerS, crop);

@@ -12,11 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Paints labelled events: panels with titles and legends, the time, and arrows. Of every pixel the last event is
- * remembered; a picture shows those that are still exposed. One thread at a time.
+ * Paints labelled events as pictures: panels with titles and legends, the time, and velocity arrows. The sheet
+ * remembers the last event of every pixel. A picture shows those of these events that are still exposed. For one thread
+ * at a time.
  */
 public final class PictureSheet {
-    /** Fewest exposed pixels of a segment that is named and gets an arrow: fewer are specks. */
+    /** Fewest exposed pixels of a segment that gets a name and an arrow; smaller segments are specks. */
     private static final int LEAST_PIXELS = 12;
 
     private final SensorSize sensor;
@@ -30,13 +31,13 @@ public final class PictureSheet {
     private final SpeedScale speed;
     private final SeenSegments seen = new SeenSegments();
 
-    /** Pixels that the picture shows, where in a panel, and the place of their segment among those seen. */
+    /** Pixels that the picture shows, their offsets in a panel, and the index of their segment in {@link #seen}. */
     private final int[] exposed;
     private final int[] exposedPlace;
     private final int[] exposedSegment;
     private int exposedPixels;
 
-    /** Null before the first one. */
+    /** The frame shown; null before the first one. */
     private GreyFrame frame;
 
     private final Canvas canvas;
@@ -44,11 +45,11 @@ public final class PictureSheet {
     private final TimeStamp timeStamp;
 
     /**
-     * Makes a sheet on which nothing has been seen.
+     * Makes a sheet without events.
      *
      * @param sensor size of the sensor
      * @param options what a picture shows
-     * @throws IllegalArgumentException where the crop is not on the sensor, or a picture would have more than 9.4
+     * @throws IllegalArgumentException if the crop is not on the sensor, or if a picture would have more than 9.4
      *     million pixels
      */
     public PictureSheet(SensorSize sensor, PictureOptions options) {
@@ -71,22 +72,23 @@ public final class PictureSheet {
     }
 
     /**
-     * Gives a segment the colour of {@link Theme#segmentColour}, which it would else get when it is first painted.
+     * Gives a segment a colour of {@link Theme#segmentColour}. Without this call, the segment gets a colour when it is
+     * first painted.
      *
-     * @param segmentId of the segment
-     * @param place of the colour, from 0
+     * @param segmentId id of the segment
+     * @param place index of the colour, from 0
      */
     public void colour(int segmentId, int place) {
         segmentColours.assign(segmentId, place);
     }
 
     /**
-     * Takes the events from one place of a batch to before another; those outside the sensor are passed over.
+     * Takes the events of a batch from one index to before another. Events outside the sensor are skipped.
      *
      * @param batch the events
      * @param flow their labels
-     * @param from first of them
-     * @param to after the last of them
+     * @param from index of the first event
+     * @param to index after the last event
      */
     public void add(EventBatch batch, FlowOutput flow, int from, int to) {
         last.add(batch, flow, from, to);
@@ -95,8 +97,8 @@ public final class PictureSheet {
     /**
      * Takes the frame that {@link Panel#GREY} shows from now on.
      *
-     * @param newFrame of the sensor's size
-     * @throws IllegalArgumentException where it is not of the sensor's size
+     * @param newFrame a frame of the sensor's size
+     * @throws IllegalArgumentException if the frame is not of the sensor's size
      */
     public void show(GreyFrame newFrame) {
         if (newFrame.width() != sensor.width() || newFrame.height() != sensor.height()) {
@@ -107,12 +109,12 @@ public final class PictureSheet {
     }
 
     /**
-     * Paints what is exposed at a time.
+     * Paints the events that are exposed at a time.
      *
      * @param timeUs not before the last event taken
-     * @param shownUs the time that is written, µs since the recording's start
-     * @param engine whose contours are painted; null for none
-     * @return the same image at every call, painted over by the next one
+     * @param shownUs the time that the picture shows as text, µs since the recording's start
+     * @param engine engine whose contours are painted; null for none
+     * @return the same image at every call; the next call paints over it
      */
     public BufferedImage paint(long timeUs, long shownUs, Sofas engine) {
         survey(timeUs);
@@ -141,23 +143,23 @@ public final class PictureSheet {
     /**
      * {@return one panel of the last picture, without title and legend; a part of that picture, not a copy}
      *
-     * @param k place among the panels, from 0
+     * @param k index of the panel, from 0
      */
     public BufferedImage panel(int k) {
         return canvas.image().getSubimage(layout.left(k), layout.top(k), layout.panelWidth(), layout.panelHeight());
     }
 
     /**
-     * {@return what explains one panel, below it in the last picture; a part of that picture, not a copy}
+     * {@return the legend of one panel, below it in the last picture; a part of that picture, not a copy}
      *
-     * @param k place among the panels, from 0
+     * @param k index of the panel, from 0
      */
     public BufferedImage legend(int k) {
         return canvas.image().getSubimage(layout.left(k), layout.top(k) + layout.panelHeight(), layout.panelWidth(),
             PanelLayout.LEGEND);
     }
 
-    /** Sees which pixels and segments are exposed, and how fast all is. */
+    /** Determines which pixels and segments are exposed, and the speed of the full colour. */
     private void survey(long timeUs) {
         seen.clear();
         speed.clear();
@@ -170,7 +172,7 @@ public final class PictureSheet {
         speed.follow();
     }
 
-    /** Takes a pixel that is exposed; segments and speeds are those of the whole sensor. */
+    /** Takes an exposed pixel. Segments and speeds are those of the whole sensor, not only of the crop. */
     private void expose(int at) {
         int x = at % sensor.width();
         int y = at / sensor.width();
@@ -212,7 +214,10 @@ public final class PictureSheet {
         }
     }
 
-    /** The colour of a pixel's event, of one of the segments seen, whose colours are given. */
+    /**
+     * Colour of a pixel's event in a panel. {@code seenSegment} is the index of its segment in {@link #seen}, and
+     * {@code colours} holds the colours of these segments.
+     */
     private int colour(Panel panel, int at, int seenSegment, int[] colours) {
         if (panel == Panel.EVENTS) {
             return last.polarity(at) > 0 ? theme.on : theme.off;
@@ -234,7 +239,7 @@ public final class PictureSheet {
         }
     }
 
-    /** Names the segments, each with an arrow on the scale of the legend's bar. */
+    /** Paints the names of the segments, each with an arrow at the scale of the legend's bar. */
     private void paintArrows(int k) {
         List<SegmentArrow> arrows = new ArrayList<>();
         Rectangle panel = layout.panel(k);

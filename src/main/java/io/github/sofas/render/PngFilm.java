@@ -13,9 +13,15 @@ import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** A ZIP file of PNG pictures, {@code 000001.png} and so on: one file, so that it is there whole or not at all. */
+/**
+ * A ZIP file of PNG pictures, {@code 000001.png} and so on. The pictures are in one file, so that they are there as a
+ * whole or not at all.
+ */
 public final class PngFilm implements Film {
-    /** The first that a ZIP can have: else the same pictures would not be the same bytes. */
+    /**
+     * Date of all pictures: the earliest that a ZIP can have. With real dates, the same pictures would not give the
+     * same bytes.
+     */
     private static final LocalDateTime NO_DATE = LocalDateTime.of(1980, 1, 1, 0, 0);
 
     private final ZipOutputStream zip;
@@ -25,11 +31,11 @@ public final class PngFilm implements Film {
     /**
      * Starts a film.
      *
-     * @param file gets the ZIP; closed with the film
+     * @param file receives the ZIP; closed with the film
      */
     public PngFilm(OutputStream file) {
         zip = new ZipOutputStream(file);
-        // the pictures are packed already
+        // the pictures are already compressed
         zip.setLevel(Deflater.NO_COMPRESSION);
     }
 

@@ -2,20 +2,23 @@ package io.github.sofas.render;
 
 import java.util.Arrays;
 
-/** The segments on a picture: how many pixels each has, where they are on average and how they move. */
+/**
+ * The segments with exposed pixels at the time of a picture: for each, the number of its pixels, their mean position
+ * and their mean velocity.
+ */
 final class SeenSegments {
     private int size;
     private int[] ids = new int[16];
     private int[] pixels = new int[16];
     private double[] sums = new double[16 * 4];
-    /** Where ids were found last, by their low bits. */
+    /** Index at which an id was last found, by the low bits of the id. Makes most searches unnecessary. */
     private final int[] places = new int[256];
 
     void clear() {
         size = 0;
     }
 
-    /** Adds a pixel; which of the segments it is of. */
+    /** Adds a pixel and returns the index of its segment. */
     int add(int id, int x, int y, double vx, double vy) {
         int last = places[id & places.length - 1];
         if (last >= size || ids[last] != id) {
@@ -60,7 +63,7 @@ final class SeenSegments {
         return pixels[i];
     }
 
-    /** Mean column. */
+    /** Mean column of the pixels. */
     double x(int i) {
         return sums[4 * i] / pixels[i];
     }

@@ -8,20 +8,23 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The arrow of a segment, along its velocity, and its name, in screen pixels. The arrow begins at the segment's centre
- * and the name stands behind it, unless that is beyond the panel's edge or in the way of others.
+ * The arrow that shows the velocity of a segment, and the segment's name, in screen pixels. The arrow begins at the
+ * segment's centre, unless the panel's edge is in the way. The name stands behind the arrow's tail, unless the edge,
+ * another name or an arrow is in the way.
  */
 final class SegmentArrow {
     static final double WIDTH = 2.5;
-    /** Of the outline in the text's colour, without which an arrow is lost on events of its own colour. */
+    /** Width of the outline in the text's colour. Without it, an arrow is lost on events of its own colour. */
     private static final double OUTLINE_WIDTH = 5;
-    /** Of the ground's colour about that. */
+    /** Width of the border in the ground's colour around the outline. */
     private static final double GROUND_WIDTH = 8;
     private static final int EDGE = 6;
     private static final int HEAD = 9;
-    /** From the arrow's tail to the middle of the name. */
+    /** Distance from the arrow's tail to the middle of the name. */
     private static final int NAME_DISTANCE = 14;
-    /** Where a name may stand, as turns from behind the tail; the first that is free. */
+    /**
+     * Directions from the tail in which a name may stand, in turns from straight behind. The first free one is taken.
+     */
     private static final double[] TURNS = {0, 0.17, -0.17, 0.33, -0.33, 0.5};
 
     private final int id;
@@ -43,7 +46,7 @@ final class SegmentArrow {
         this.lengthY = lengthY;
     }
 
-    /** Paints all of a panel; names of larger segments find their place first. */
+    /** Paints all arrows and names of a panel. Names of larger segments are placed first. */
     static void paint(Canvas canvas, Rectangle panel, List<SegmentArrow> arrows, Theme theme, SegmentNames names) {
         List<SegmentArrow> sorted = new ArrayList<>(arrows);
         sorted.sort(Comparator.comparingInt((SegmentArrow arrow) -> arrow.pixels).reversed());
@@ -62,7 +65,7 @@ final class SegmentArrow {
         }
     }
 
-    /** The arrow, moved so that it is in the panel where it is short enough. */
+    /** The arrow, moved into the panel if it is short enough to fit. */
     private Line2D.Double within(Rectangle panel) {
         double beginX = x + shift(x, x + lengthX, panel.x, panel.x + panel.width);
         double beginY = y + shift(y, y + lengthY, panel.y, panel.y + panel.height);
@@ -75,7 +78,10 @@ final class SegmentArrow {
         return below > 0 ? below : Math.min(0, above);
     }
 
-    /** The first free place for the name about the arrow's tail, else the one behind it; in the panel. */
+    /**
+     * The first free place for the name around the arrow's tail, or the one behind the tail if none is free. Always in
+     * the panel.
+     */
     private Rectangle place(int width, int height, Rectangle panel, List<SegmentArrow> arrows, List<Rectangle> taken) {
         double behind = Math.atan2(-lengthY, -lengthX);
         Rectangle first = null;
@@ -109,7 +115,7 @@ final class SegmentArrow {
         return true;
     }
 
-    /** Draws an arrow from the line's first to its second point; short ones are only a line. */
+    /** Draws an arrow from the line's first to its second point. Arrows shorter than 3 px have no head. */
     static void draw(Canvas canvas, Rectangle clip, Line2D.Double line, double width, int rgb) {
         drawLine(canvas, clip, line, width, rgb);
         double length = Math.hypot(line.x2 - line.x1, line.y2 - line.y1);
@@ -124,7 +130,10 @@ final class SegmentArrow {
         }
     }
 
-    /** Draws a line with round ends: every pixel as far as it lies within half the width of the line. */
+    /**
+     * Draws a line with round ends. Each pixel is painted by the share to which it lies within half the width of the
+     * line.
+     */
     private static void drawLine(Canvas canvas, Rectangle clip, Line2D.Double line, double width, int rgb) {
         double reach = width / 2 + 0.5;
         double dx = line.x2 - line.x1;
@@ -136,7 +145,7 @@ final class SegmentArrow {
         int bottom = (int) Math.min(clip.y + clip.height, Math.ceil(Math.max(line.y1, line.y2) + reach));
         for (int y = (int) Math.max(clip.y, Math.min(line.y1, line.y2) - reach); y < bottom; y++) {
             double fromY = y + 0.5 - line.y1;
-            // of each row the part that is near the line, however long that were
+            // only the part of each row that is near the line, however long the line may be
             double middle = line.x1 + fromY * dx / dy;
             double half = reach * length / Math.abs(dy);
             boolean isFlat = !(half < length + 2 * reach);
@@ -148,7 +157,7 @@ final class SegmentArrow {
                 double besideX = fromX - along * dx;
                 double besideY = fromY - along * dy;
                 double square = besideX * besideX + besideY * besideY;
-                // lines are wider than a pixel, so that some lie wholly within
+                // lines are wider than a pixel, so that some pixels lie entirely within
                 if (square <= (reach - 1) * (reach - 1)) {
                     canvas.fill(y * canvas.width() + x, 1, rgb);
                 } else if (square < reach * reach) {

@@ -3,21 +3,25 @@ package io.github.sofas.render;
 import java.util.TreeMap;
 
 /**
- * Colours of segments: each keeps its colour for life. A new one gets a colour that no segment seen with it has, the
- * one that differs most from those of its neighbours; when all colours are in sight, that of a segment far away.
+ * Colours of segments. A segment keeps its colour for life. A new segment gets a colour that no other segment in the
+ * picture has, and of these colours the one that differs most from its neighbours'. If all colours are in use, it gets
+ * the colour of a segment far away.
  */
 final class SegmentColours {
-    /** Segments remembered: ids rise, so that the lowest are long gone when there are so many. */
+    /**
+     * Number of segments remembered. Ids rise, so that the segments with the lowest ids have long ended when there are
+     * more.
+     */
     private static final int MOST = 4096;
-    /** Distance, px, within which it matters little how far away a neighbour is. */
+    /** Distance, px, within which the exact distance of a neighbour matters little. */
     private static final double NEAR_PX = 15;
 
     private final int[] colours;
-    /** How much two colours look alike: inverse square of how far apart they are to the eye. */
+    /** How similar two colours look: the inverse square of their distance as the eye perceives it. */
     private final double[][] likeness;
     private final TreeMap<Integer, Integer> placeById = new TreeMap<>();
 
-    /** Makes the colours of a theme, none of them given to a segment yet. */
+    /** Makes the colours of a theme. No segment has a colour yet. */
     SegmentColours(Theme theme) {
         colours = theme.segments;
         likeness = new double[colours.length][colours.length];
@@ -49,13 +53,13 @@ final class SegmentColours {
             0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
     }
 
-    /** Light that a screen emits for a value, as sRGB has it. */
+    /** Linear light that a screen emits for a value of sRGB. */
     private static double light(int value) {
         double v = value / 255.0;
         return v <= 0.04045 ? v / 12.92 : Math.pow((v + 0.055) / 1.055, 2.4);
     }
 
-    /** Gives each of the segments that has none a colour. */
+    /** Gives a colour to each of the segments that has none. */
     void assign(SeenSegments seen) {
         for (int i = 0; i < seen.size(); i++) {
             if (!placeById.containsKey(seen.id(i))) {
@@ -64,7 +68,7 @@ final class SegmentColours {
         }
     }
 
-    /** Gives a segment a colour by its place among them, in place of any that it has. */
+    /** Gives a segment the colour at a place of the theme, instead of any that it has. */
     void assign(int id, int place) {
         remember(id, place % colours.length);
     }
@@ -76,7 +80,7 @@ final class SegmentColours {
         }
     }
 
-    /** The colour that clashes least with those of the segments seen; one that none of them has while there is one. */
+    /** Place of the colour that clashes least with those of the segments seen. Unused colours come first. */
     private int leastAlike(SeenSegments seen, int segment) {
         double[] clash = new double[colours.length];
         boolean[] used = new boolean[colours.length];
@@ -99,7 +103,7 @@ final class SegmentColours {
         return least;
     }
 
-    /** The colour of a segment as 0xRRGGBB; one that was never seen gets one by its id. */
+    /** The colour of a segment as 0xRRGGBB. A segment that was never seen gets a colour by its id. */
     int rgb(int id) {
         if (!placeById.containsKey(id)) {
             assign(id, id);

@@ -9,7 +9,9 @@ import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The names that segments have in pictures. Each is drawn once and kept: letters are slow to draw. */
+/**
+ * Draws the names of segments, which are their ids. Each name is drawn once and kept, because drawing letters is slow.
+ */
 final class SegmentNames {
     static final int HEIGHT = 18;
     private static final int BASELINE = 14;
@@ -17,12 +19,12 @@ final class SegmentNames {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 13);
     private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
     private static final int ROUND = 8;
-    /** Most that are kept; those shown longest ago go first. */
+    /** Most names that are kept; the least recently used go first. */
     private static final int MOST = 256;
 
     private final int ground;
     private final int outline;
-    /** By id, and colour in the lowest 24 bits. */
+    /** The names, by a key of the id and, in the lowest 24 bits, the colour. */
     private final Map<Long, BufferedImage> drawn = new LinkedHashMap<>(16, 0.75f, true) {
         @Override
         protected boolean removeEldestEntry(Map.Entry<Long, BufferedImage> eldest) {
@@ -30,7 +32,7 @@ final class SegmentNames {
         }
     };
 
-    /** Makes names for pictures of a ground, with an outline; both as 0xRRGGBB. */
+    /** Makes names for pictures with a ground and an outline of these colours, both as 0xRRGGBB. */
     SegmentNames(int ground, int outline) {
         this.ground = ground;
         this.outline = outline;
@@ -53,9 +55,9 @@ final class SegmentNames {
         BufferedImage image = new BufferedImage(width + 2 * PADDING, HEIGHT, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = Canvas.graphics(image);
         g.setFont(FONT);
-        // else hinting makes bold letters of this size as thin as others
+        // without this, hinting makes bold letters of this size as thin as others
         g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
-        // on events of its own colour a name in that colour alone is lost: it is the ground of the letters
+        // a name in its own colour would be lost on events of that colour, so the colour is the ground of the letters
         g.setColor(new Color(outline));
         g.fillRoundRect(0, 0, image.getWidth(), HEIGHT, ROUND, ROUND);
         g.setColor(new Color(rgb));

@@ -2,27 +2,33 @@ package io.github.sofas.render;
 
 import java.util.Arrays;
 
-/** The speed that the full colour stands for: a given one, or one that follows what is seen, upwards only. */
+/**
+ * The speed for which the full colour stands. The speed is either given, or follows the speeds in the pictures, upwards
+ * only.
+ */
 final class SpeedScale {
-    /** Speeds that it may be, px/s. */
+    /** Speeds to choose from, px/s. */
     private static final int[] SPEEDS = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000,
         100_000};
     private static final int FIRST = 20;
-    /** What a picture's speeds count for after the next one. */
+    /** Factor by which the weight of a picture's speeds falls with each later picture. */
     private static final double FADING = 0.95;
-    /** Share of the pixels that are not to be faster. */
+    /** Share of the pixels that must not be faster than the full colour. */
     private static final double MOST = 0.9;
-    /** Fewer pixels say nothing. */
+    /** Fewest pixels from which a speed is derived. */
     private static final int LEAST_PIXELS = 12;
 
     private final boolean isGiven;
     private double fullPxPerS;
-    /** How many pixels of this picture are as fast as each of {@link #SPEEDS}. */
+    /**
+     * Number of pixels of this picture by speed: entry k counts those up to speed k of {@link #SPEEDS} and above the
+     * one before.
+     */
     private final int[] speeds = new int[SPEEDS.length];
-    /** The same of the last pictures, each of which counts less than the one after it. */
+    /** The same for the recent pictures, each with less weight than the one after it. */
     private final double[] recentSpeeds = new double[SPEEDS.length];
 
-    /** Makes a scale of a given speed in px/s; 0 for one that follows. */
+    /** Makes a scale with a given speed in px/s, or with 0 one that follows the pictures. */
     SpeedScale(double givenPxPerS) {
         isGiven = givenPxPerS > 0;
         fullPxPerS = isGiven ? givenPxPerS : FIRST;
@@ -48,7 +54,10 @@ final class SpeedScale {
         speeds[k]++;
     }
 
-    /** Lets the full colour stand for the speed that nine tenths of the pixels do not pass, of the last pictures. */
+    /**
+     * Raises the speed of the full colour, if necessary, to the one that nine tenths of the pixels of the recent
+     * pictures do not exceed.
+     */
     void follow() {
         double withFlow = 0;
         for (int k = 0; k < speeds.length; k++) {

@@ -2,7 +2,7 @@ package io.github.sofas.render;
 
 import java.util.Locale;
 
-/** Dark or light background, with all colours that depend on it, as 0xRRGGBB. */
+/** A dark or a light background, with all colours that depend on it, as 0xRRGGBB. */
 public enum Theme {
     /** For screens. */
     DARK(0x15181C, 0x000000, 0xE6E8EA, 0x555B62, 0xFFB000, 0x4C9BFF,
@@ -18,14 +18,14 @@ public enum Theme {
     final int page;
     final int sensor;
     final int text;
-    /** Events without flow. */
+    /** Colour of events without flow. */
     final int faint;
     final int on;
     final int off;
     /**
-     * Colours of segments: four of Okabe and Ito's, which colour-blind people can distinguish, then those that are
-     * farthest from them, from each other and from the ground, to colour-blind people too; one place is one hue in both
-     * themes. After these twelve, twelve that are farthest from all before.
+     * Colours of segments. The first four are Okabe and Ito's, which colour-blind people can distinguish. The next
+     * eight are the farthest from these, from each other and from the ground, for colour-blind people, too. The same
+     * place has the same hue in both themes. After these twelve follow twelve that are the farthest from all before.
      */
     final int[] segments;
 
@@ -40,9 +40,9 @@ public enum Theme {
     }
 
     /**
-     * {@return a colour of segments as 0xRRGGBB, by its place among them; places beyond the last begin again}
+     * {@return the colour of segments at a place, as 0xRRGGBB; places beyond the last begin again}
      *
-     * @param place from 0
+     * @param place index of the colour, from 0
      */
     public int segmentColour(int place) {
         return segments[place % segments.length];

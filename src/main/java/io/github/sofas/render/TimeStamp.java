@@ -7,7 +7,10 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 
-/** The time on a picture, such as {@code 12.345 s}. Its letters are drawn once and kept: they are slow to draw. */
+/**
+ * The time on a picture, such as {@code 12.345 s}. Its letters are drawn once and kept, because drawing letters is
+ * slow.
+ */
 final class TimeStamp {
     private static final Font FONT = new Font(Font.MONOSPACED, Font.PLAIN, 13);
     private static final String LETTERS = "0123456789. s";
@@ -33,7 +36,7 @@ final class TimeStamp {
         }
     }
 
-    /** Seconds, rounded to thousandths. */
+    /** The time in seconds, rounded to thousandths. */
     static String text(long timeUs) {
         long ms = (timeUs + 500) / 1000;
         return ms / 1000 + "." + Long.toString(1000 + ms % 1000).substring(1) + " s";
@@ -42,9 +45,9 @@ final class TimeStamp {
     /**
      * Paints a time.
      *
-     * @param timeUs from 0 up, µs
-     * @param right where its last letter ends, px
-     * @param baseline on which its letters stand, px
+     * @param timeUs time, at least 0, µs
+     * @param right column at which the last letter ends, px
+     * @param baseline row on which the letters stand, px
      */
     void paint(Canvas canvas, long timeUs, int right, int baseline) {
         String text = text(timeUs);

@@ -1,8 +1,8 @@
 /**
  * Pictures of events, flow and segments. Open {@link io.github.sofas.render.PictureSheet} first: it takes labelled
- * events and paints them at any time, as panels side by side with their legends. It remembers the last event of every
- * pixel, so that its memory does not grow with the recording: 53 bytes per pixel of the sensor and 9 per pixel of
- * the picture; a film takes up to 12 bytes per pixel of the picture and a megabyte more, whatever its length.
+ * events and paints them at any time, as panels side by side with their legends. The sheet remembers the last event of
+ * every pixel, so that its memory does not grow with the recording: it takes 53 bytes per pixel of the sensor and 9 per
+ * pixel of the picture. A film takes up to 12 bytes per pixel of the picture and one megabyte, whatever its length.
  *
  * <pre>{@code
  * PictureSheet sheet = new PictureSheet(sensor, PictureOptions.defaults());

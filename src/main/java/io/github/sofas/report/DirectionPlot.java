@@ -7,7 +7,7 @@ import j2html.tags.DomContent;
 import java.util.Arrays;
 import java.util.Locale;
 
-/** How many events move in each direction, as a rose. */
+/** A plot of how many events move in each direction: a rose with one petal per direction. */
 final class DirectionPlot {
     private static final double RADIUS = 100;
 
@@ -15,7 +15,7 @@ final class DirectionPlot {
     private final long all;
     private final long most;
 
-    /** Draws counts of directions, from rightwards on towards upwards. */
+    /** Takes the counts of directions, which start at right and turn to up. */
     DirectionPlot(long[] counts) {
         this.counts = counts;
         all = Arrays.stream(counts).sum();
@@ -26,7 +26,7 @@ final class DirectionPlot {
         return all == 0;
     }
 
-    /** The angle from right to down, as y runs in all result files, -180 to 180. */
+    /** The angle from right to down, -180 to 180 degrees: y points down, as in all result files. */
     private static double downwardsDeg(double upwards) {
         double turned = -Math.toDegrees(upwards);
         return turned <= -180 ? turned + 360 : turned + 0.0;

@@ -15,27 +15,30 @@ import java.util.List;
 import java.util.TreeMap;
 import javax.imageio.ImageIO;
 
-/** Paints the clip and the busiest moments of a recording whose labelled events are read again. */
+/**
+ * Paints the clip and the busiest moments of a recording. These are known only after all events were labelled, so the
+ * labelled events are read a second time.
+ */
 final class HighlightPainter {
     private static final int BATCH = 4096;
 
     private final PictureSheet sheet;
     private final Highlights highlights;
     private final long firstUs;
-    /** Steps still to be painted, each with the busy moment that it is; null where it is of the clip only. */
+    /** Steps still to be painted, each with its busy moment; null for a step that belongs to the clip only. */
     private final TreeMap<Long, Highlights.Moment> steps = new TreeMap<>();
     private final List<Thumbnail> thumbnails = new ArrayList<>();
 
     /**
      * A picture of a busy moment.
      *
-     * @param moment when it is
+     * @param moment the moment
      * @param png the picture
      */
     record Thumbnail(Highlights.Moment moment, byte[] png) {
     }
 
-    /** Prepares for a recording whose first event has a time; the highlights are finished. */
+    /** Prepares for a recording whose first event has a given time. The highlights must be finished. */
     HighlightPainter(PictureSheet sheet, Highlights highlights, long firstUs) {
         this.sheet = sheet;
         this.highlights = highlights;
@@ -46,7 +49,7 @@ final class HighlightPainter {
         highlights.moments().forEach(moment -> steps.put(moment.step(), moment));
     }
 
-    /** Reads the events as far as needed, writes the clip and gives the busy moments. */
+    /** Reads the events as far as needed, writes the clip and returns the pictures of the busy moments. */
     List<Thumbnail> paint(FlowCsvReader events, Path clip) throws IOException, EventSourceException {
         EventBatch batch = new EventBatch(BATCH);
         FlowOutput labels = new FlowOutput(BATCH);
@@ -67,7 +70,7 @@ final class HighlightPainter {
         return thumbnails;
     }
 
-    /** {@link PictureSheet#legend} of both panels, as PNG. */
+    /** The {@link PictureSheet#legend} of both panels, as PNG. */
     List<byte[]> legends() throws IOException {
         List<byte[]> legends = new ArrayList<>();
         for (int k = 0; k < 2; k++) {

@@ -4,23 +4,26 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Finds what of a recording is worth a picture: busy moments, and the seconds in which most events have flow. */
+/**
+ * Finds the parts of a recording that are worth a picture: its busiest moments, and the seconds with the greatest
+ * number of events with flow, for a clip. Sees each event once and holds no events.
+ */
 final class Highlights {
     /** Pictures per second of the clip. */
     static final int FPS = 30;
-    /** Time is looked at in steps of one picture. */
+    /** Duration of a step, µs: time is divided into steps of one picture. */
     static final long STEP_US = 1_000_000 / FPS;
     static final int CLIP_S = 10;
     static final int CLIP_STEPS = CLIP_S * FPS;
     static final int MOMENTS = 6;
-    /** Of moments that are closer than these steps only the busiest counts. */
+    /** Moments closer together than this number of steps count as one: only the busiest is kept. */
     static final int APART_STEPS = 10;
 
     private long step;
     private long events;
     private long withFlow;
 
-    /** Events with flow in each of the last steps, and in all of them. */
+    /** Events with flow in each of the last {@link #CLIP_STEPS} steps, and in all of these steps together. */
     private final long[] lately = new long[CLIP_STEPS];
     private long latelyAll;
     private long best;
@@ -36,7 +39,7 @@ final class Highlights {
     record Moment(long step, long events) {
     }
 
-    /** Takes an event, by its time since the first one; times do not go back. */
+    /** Takes an event by its time since the first one. Times must not decrease. */
     void add(long sinceFirstUs, boolean hasFlow) {
         long newStep = sinceFirstUs / STEP_US;
         if (newStep > step) {
@@ -51,7 +54,7 @@ final class Highlights {
         withFlow += hasFlow ? 1 : 0;
     }
 
-    /** After the last event. */
+    /** Ends the search, after the last event. */
     void finish() {
         end();
         moments.sort(Comparator.comparingLong(Moment::step));
@@ -68,7 +71,10 @@ final class Highlights {
         withFlow = 0;
     }
 
-    /** The first of the last steps but for those at their beginning that hold less than a hundredth of the events. */
+    /**
+     * The first of the last steps, after the leading ones that together hold less than a hundredth of the events with
+     * flow.
+     */
     private long firstWithFlow() {
         long first = Math.max(0, step + 1 - CLIP_STEPS);
         long left = 0;
@@ -109,7 +115,9 @@ final class Highlights {
         moments.add(new Moment(step, events));
     }
 
-    /** The first step of the clip, which something moves in where it does anywhere; once finished. */
+    /**
+     * The first step of the clip, valid once finished. Something moves in the clip if anything moves in the recording.
+     */
     long clipFirst() {
         return Math.max(0, Math.min(bestFirst, step + 1 - CLIP_STEPS));
     }
@@ -123,7 +131,7 @@ final class Highlights {
         return clipFirst() == 0 && clipEnd() == step + 1;
     }
 
-    /** In order of time; once finished. */
+    /** The busiest moments in order of time, valid once finished. */
     List<Moment> moments() {
         return List.copyOf(moments);
     }

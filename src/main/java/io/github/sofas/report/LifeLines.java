@@ -5,7 +5,7 @@ import static j2html.TagCreator.tag;
 import j2html.tags.ContainerTag;
 import j2html.tags.DomContent;
 
-/** When each segment lived: a bar each, one below the other. */
+/** A plot of when each segment lived: one bar per segment, one below the other. */
 final class LifeLines {
     private static final int ROW = 14;
 
@@ -21,7 +21,7 @@ final class LifeLines {
             .attr("data-to", durationS);
     }
 
-    /** Adds the next bar, with what is said when it is pointed at. */
+    /** Adds the next bar. {@code said} is the text that is shown on hover. */
     void add(int id, double fromS, double toS, String colour, String said) {
         double from = Svg.x(fromS, durationS);
         double to = Svg.x(toS, durationS);

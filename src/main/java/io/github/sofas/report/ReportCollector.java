@@ -21,12 +21,14 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Sees the labelled events of a run, and writes a page about them. What is worth a picture is known only at the end:
- * the events of the pictures are then read again, from the flow file that the run wrote.
+ * Collects figures about the labelled events of a run, and writes a page about the run.
+ *
+ * <p>Which moments are worth a picture is known only at the end. The events of the pictures are then read again, from
+ * the flow file that the run wrote.
  */
 public final class ReportCollector {
     static final int DIRECTIONS = 36;
-    /** Curves of segments that have ended: those with the most events are kept. */
+    /** Number of ended segments whose curves are kept: those with the most events. */
     private static final int MOST_CURVES = 256;
 
     private final SensorSize sensor;
@@ -40,7 +42,7 @@ public final class ReportCollector {
     private long firstUs;
 
     /**
-     * Begins.
+     * Makes a collector without events.
      *
      * @param sensor size of the pixel array
      */
@@ -103,7 +105,7 @@ public final class ReportCollector {
         }
     }
 
-    /** Of the segments, those with the most events first. */
+    /** Curves of the segments, those with the most events first. */
     List<SegmentCurve> curves() {
         List<SegmentCurve> sorted = new ArrayList<>(curves.values());
         sorted.forEach(curve -> curve.widenTo(bins.widthUs()));
@@ -112,13 +114,13 @@ public final class ReportCollector {
     }
 
     /**
-     * Writes the page; nothing can be added then.
+     * Writes the page. No events may be added afterwards.
      *
-     * @param out left open
-     * @param summary of the same run
-     * @param command what was typed, to be typed again
-     * @param flow rows of the same events with their labels, of {@link io.github.sofas.export.FlowCsvWriter}
-     * @throws IOException where it cannot be written, or the rows cannot be read
+     * @param out receives the page; left open
+     * @param summary summary of the same run
+     * @param command the command that was typed, for users to repeat
+     * @param flow file with the same events and their labels, written by {@link io.github.sofas.export.FlowCsvWriter}
+     * @throws IOException if the page cannot be written, or if the file cannot be read
      */
     public void write(OutputStream out, RunSummary summary, String command, Path flow) throws IOException {
         highlights.finish();

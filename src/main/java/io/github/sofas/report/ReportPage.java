@@ -54,12 +54,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
-/** The text of the page. */
+/**
+ * Composes the page from the figures of a run and writes it as HTML. All drawings, pictures and the clip are in the
+ * page itself.
+ */
 final class ReportPage {
-    /** Segments drawn as curves, and as life lines: those with the most events. */
+    /** Most segments drawn as curves, and most drawn as life lines: those with the most events. */
     static final int CURVES = 10;
     private static final int LINES = 40;
-    /** Where the film goes, which is not held in memory. */
+    /** Placeholder of the film, which is written from its file at the end, so that memory never holds it. */
     private static final String FILM = "@film@";
 
     private final RunSummary summary;
@@ -105,7 +108,7 @@ final class ReportPage {
     private void writeFilm(OutputStream out) throws IOException {
         Base64.Encoder encoder = Base64.getEncoder();
         try (InputStream film = Files.newInputStream(clip)) {
-            // a multiple of three bytes becomes letters without padding between
+            // parts of a multiple of three bytes need no padding between them
             for (byte[] part = film.readNBytes(3 << 14); part.length > 0; part = film.readNBytes(3 << 14)) {
                 out.write(encoder.encode(part));
             }
@@ -135,7 +138,10 @@ final class ReportPage {
             body(each(parts, part -> part), script(rawHtml(resource("hover.js"))))).withLang("en");
     }
 
-    /** Those of the segments in the clip, and the same hues darker for a light page. */
+    /**
+     * Style rules for the colours of the segments: on a dark page those of the clip, on a light page darker colours of
+     * the same hues.
+     */
     private static String colours() {
         StringBuilder css = new StringBuilder();
         for (Theme theme : new Theme[] {Theme.LIGHT, Theme.DARK}) {
@@ -188,14 +194,14 @@ final class ReportPage {
             + "Right: one colour and number per moving structure; arrows are velocities."),
             video().withCondControls(true).withCondLoop(true).withCondMuted(true).attr("playsinline")
                 .attr("poster", png(poster())).withSrc("data:video/mp4;base64," + FILM),
-            // the controls of the clip lie over the legends in its pictures
+            // the legends come again below the clip, because its controls cover those in its pictures
             div(img().withAlt("Colours of directions: the wheel shows where each colour moves; grey: no flow")
                     .withSrc(png(legends.get(0))),
                 img().withAlt("A colour and a number: one moving structure; the bar is an arrow of the full speed")
                     .withSrc(png(legends.get(1)))).withClass("legends"));
     }
 
-    /** What is seen before the clip plays, which begins with an empty picture: its busiest moment. */
+    /** The picture shown before the clip plays: the busiest moment. The clip itself begins with an empty picture. */
     private byte[] poster() {
         return thumbnails.stream().max(Comparator.comparingLong(each -> each.moment().events())).orElseThrow().png();
     }
@@ -280,7 +286,7 @@ final class ReportPage {
             h3("Table"), div(tableOf(shown)).withClass("scroll"));
     }
 
-    /** What the segments file says of the segments. */
+    /** A table of the segments with figures from the segments file. */
     private DomContent tableOf(List<Segment> shown) {
         return table(thead(tr(each(List.of("segment", "from, s", "to, s", "events", "right, px/s", "down, px/s",
             "became"), name -> th(name)))), tbody(each(shown, segment -> tr(td(Integer.toString(segment.id())),
@@ -299,7 +305,7 @@ final class ReportPage {
         return String.format(Locale.ROOT, "%.3f", (timeUs - summary.recording().firstTimeUs()) * 1e-6);
     }
 
-    /** Rounded, and never "-0". */
+    /** A velocity, rounded, and never "-0". */
     private static String velocity(double pxPerS) {
         return Long.toString(Math.round(pxPerS));
     }

@@ -2,7 +2,7 @@ package io.github.sofas.report;
 
 import java.util.Arrays;
 
-/** The mean velocity of one segment in each bin of time that it lived in. */
+/** The mean velocity of one segment in each time bin in which the segment lived. */
 final class SegmentCurve {
     final int id;
     private long widthUs;
@@ -19,7 +19,7 @@ final class SegmentCurve {
         this.first = first;
     }
 
-    /** Takes an event; bins may have become wider since the last one. */
+    /** Takes an event. The bins may have become wider since the last one. */
     void add(int place, long newWidthUs, double vxPxPerS, double vyPxPerS) {
         widenTo(newWidthUs);
         int i = place - first;
@@ -49,7 +49,10 @@ final class SegmentCurve {
         }
     }
 
-    /** The place moved to is never behind, and was emptied or is the same. */
+    /**
+     * Adds the sums of one place to another. The other place is never later; it was emptied before, or it is the same
+     * place.
+     */
     private void move(int from, int to) {
         if (from == to) {
             return;
@@ -74,12 +77,12 @@ final class SegmentCurve {
         return used;
     }
 
-    /** Speed in px/s; not a number where there is no event. */
+    /** Speed in px/s; NaN if there is no event. */
     double speed(int i) {
         return events[i] == 0 ? Double.NaN : Math.hypot(vx[i], vy[i]) / events[i];
     }
 
-    /** Direction in degrees, from right (0) to down (90): y runs down, as in all result files. */
+    /** Direction in degrees, from right (0) to down (90): y points down, as in all result files. */
     double directionDeg(int i) {
         return events[i] == 0 ? Double.NaN : Math.toDegrees(Math.atan2(vy[i], vx[i]));
     }

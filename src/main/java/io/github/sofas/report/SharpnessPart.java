@@ -20,17 +20,20 @@ import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 
-/** How much sharper the flow makes the picture, in words and by a picture before and after. */
+/**
+ * The part of the page that shows how much sharper the flow makes the picture: in words, and by pictures before and
+ * after.
+ */
 final class SharpnessPart {
-    /** Of a picture, at least. */
+    /** Least width of a picture, px. */
     private static final int WIDTH = 480;
-    /** All but so many of a picture's brightest pixels keep their differences. */
+    /** Share of the brightest pixels, which may become entirely white. All darker pixels keep their differences. */
     private static final double DAZZLING_SHARE = 0.002;
 
     private SharpnessPart() {
     }
 
-    /** Nothing where there is no event. */
+    /** The elements of this part; none if there is no event. */
     static List<DomContent> of(SensorSize sensor, Sharpness sharpness, WindowPictures fullest, long firstUs)
             throws IOException {
         if (fullest == null) {
@@ -78,7 +81,7 @@ final class SharpnessPart {
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
                 float count = counts[y / scale * sensor.width() + x / scale];
-                // A single event is to be seen beside many.
+                // The square root keeps a single event visible beside many.
                 int grey = (int) Math.round(255 * Math.sqrt(Math.min(1, count / white)));
                 image.getRaster().setSample(x, y, 0, grey);
             }

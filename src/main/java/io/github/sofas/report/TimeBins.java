@@ -2,7 +2,10 @@ package io.github.sofas.report;
 
 import java.util.Arrays;
 
-/** Sums over equal parts of time; where there are too many parts, neighbours are added and all are twice as long. */
+/**
+ * Counts of events over equal bins of time. If there are too many bins, each pair of neighbours becomes one, so that
+ * all bins are twice as long and memory stays bounded.
+ */
 final class TimeBins {
     static final int MOST = 512;
     private static final long FIRST_WIDTH_US = 10_000;
@@ -12,7 +15,7 @@ final class TimeBins {
     private final long[] events = new long[MOST];
     private final long[] withFlow = new long[MOST];
 
-    /** The bin of a time since the recording's first event; makes room for it. */
+    /** The bin of a time since the recording's first event. Makes room for this bin. */
     int place(long sinceFirstUs) {
         while (sinceFirstUs / widthUs >= MOST) {
             for (int i = 0; i < MOST / 2; i++) {
@@ -51,7 +54,7 @@ final class TimeBins {
         return events[place] / widthS();
     }
 
-    /** Percent of the events; not a number where there is none. */
+    /** Percentage of the events that have flow; NaN if there are no events. */
     double share(int place) {
         return events[place] == 0 ? Double.NaN : 100.0 * withFlow[place] / events[place];
     }

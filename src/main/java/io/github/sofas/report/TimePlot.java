@@ -27,7 +27,7 @@ final class TimePlot {
      * Makes an empty plot.
      *
      * @param stepS time between two values of a curve
-     * @param low lower end of its axis
+     * @param low lower end of the value axis
      * @param high greatest value; the axis ends at the next round one
      */
     TimePlot(String title, double durationS, double stepS, double low, double high, String unit) {
@@ -35,7 +35,7 @@ final class TimePlot {
         this.durationS = durationS;
         this.stepS = stepS;
         this.low = low;
-        // directions have quarters of a turn, all others round numbers up to the first above the greatest value
+        // steps of the axis: quarters of a turn for directions, otherwise round numbers that reach the greatest value
         double step = low == -HALF_TURN ? HALF_TURN / 2.0 : Svg.roundStep(high > low ? high - low : 1);
         int steps = (int) Math.max(1, Math.ceil((high - low) / step - 1e-9));
         this.high = low + steps * step;
@@ -50,7 +50,7 @@ final class TimePlot {
         Svg.addTimeAxis(drawing, durationS, HEIGHT - Svg.BOTTOM);
     }
 
-    /** Adds a curve of values from a step on; NaN is a gap. */
+    /** Adds a curve of values that begins at a time step. NaN makes a gap. */
     TimePlot curve(String name, String style, int first, int count, IntToDoubleFunction value) {
         StringBuilder d = new StringBuilder();
         boolean pen = false;
@@ -61,10 +61,10 @@ final class TimePlot {
                 pen = false;
                 continue;
             }
-            // from -180 to 180 degrees is no way
+            // -180 and 180 degrees are the same direction: no line joins them
             pen &= low != -HALF_TURN || Math.abs(v - last) <= HALF_TURN;
             last = v;
-            // a point alone is a line of no length, which round ends make a dot
+            // a single point is a line of zero length, which round ends turn into a dot
             d.append(String.format(Locale.ROOT, pen ? "L%.1f %.1f" : "M%1$.1f %2$.1fL%1$.1f %2$.1f",
                 Svg.x((first + i + 0.5) * stepS, durationS), y(v)));
             pen = true;
