@@ -33,6 +33,8 @@ final class OneBody {
      * Most pairs of bodies have less.
      */
     private static final double LEAST_SHARE = 0.8;
+    /** Standard deviations that the common motion may lose after it has been improved once: two bodies lose more. */
+    private static final double HOPELESS_SIGMAS = 8;
     /** Fewest live events of either part of a body that grows or shrinks. */
     private static final int LEAST_GROWING_EVENTS = 100;
     /** Growths to start with, as shares of the growth that the two velocities ask for. */
@@ -91,7 +93,7 @@ final class OneBody {
         }
         double separately = separately(fit);
         together(fit);
-        return isWorse(separately, fit) ? NOTHING : gained(true, fit);
+        return isWorse(separately, fit) ? NOTHING : gained(true, separately, fit);
     }
 
     /**
@@ -108,7 +110,7 @@ final class OneBody {
         }
         double separately = separately(fit);
         startGrowing(fit);
-        return !isWorse(separately, fit) && gained(false, fit) > -MOST_LOST_SIGMAS
+        return !isWorse(separately, fit) && gained(false, separately, fit) > -MOST_LOST_SIGMAS
             && Math.abs(motion.growth) < MOST_GROWTH_PER_S
             && Math.abs(motion.growth) * apart > LEAST_SPREAD * Math.hypot(motion.vx, motion.vy);
     }
@@ -148,9 +150,10 @@ final class OneBody {
      * have been improved.
      *
      * @param turns whether the motion may turn
+     * @param before metric along the velocities of both parts before these are improved
      * @param fit holds the events of both along it
      */
-    private double gained(boolean turns, MetricFit fit) {
+    private double gained(boolean turns, double before, MetricFit fit) {
         for (int round = 0; round < ROUNDS; round++) {
             improve(motion, fit);
             together(fit);
@@ -164,6 +167,9 @@ final class OneBody {
                 return NOTHING;
             }
             together(fit);
+            if (fit.metric() < before - HOPELESS_SIGMAS * MetricFit.sd(before)) {
+                return NOTHING;
+            }
         }
         double metric = fit.metric();
         improve(one, fit);

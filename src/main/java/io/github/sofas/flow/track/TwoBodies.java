@@ -21,6 +21,11 @@ final class TwoBodies {
     private static final int LEAST_EVENTS = 60;
     /** Standard deviations that the metric must gain by two velocities. */
     private static final double SHOWN_SIGMAS = 7;
+    /**
+     * Standard deviations that the metric must gain by a first step towards two velocities for these to be measured
+     * exactly. Of the structures that prove to be two, 83 of 85 gain more.
+     */
+    private static final double HOPEFUL_SIGMAS = 1;
     /** Standard deviations that the metric must lose by two velocities for the structure to be clearly one body. */
     private static final double ONE_SIGMAS = 4;
     /**
@@ -150,7 +155,7 @@ final class TwoBodies {
         isClearlyOne = true;
         for (int line = 0; line < LINES; line++) {
             divide(Math.PI * line / LINES);
-            double gained = part(fit, most / 2);
+            double gained = part(fit, HOPEFUL_SIGMAS * sd, most / 2);
             isClearlyOne &= gained < -ONE_SIGMAS * sd;
             if (gained > most && areTwo()) {
                 most = gained;
@@ -218,14 +223,15 @@ final class TwoBodies {
     /**
      * Measures the two velocities, and which of them suits each tile better.
      *
-     * @param promising gain of the metric by the first whole measurement above which it is worth while to continue
+     * @param hopeful gain of the metric by a first step above which they are measured exactly
+     * @param promising gain of the metric by the first exact measurement above which it is worth while to continue
      * @return gain of the metric by the last measurement
      */
-    private double part(MetricFit fit, double promising) {
+    private double part(MetricFit fit, double hopeful, double promising) {
         // for most structures that turn, a first step shows at little cost that two velocities are worse
         double gained = measure(fit, false);
         changed = true;
-        for (int round = 0; round < ROUNDS && changed && gained > (round == 0 ? 0 : promising); round++) {
+        for (int round = 0; round < ROUNDS && changed && gained > (round == 0 ? hopeful : promising); round++) {
             gained = measure(fit, true);
         }
         return gained;
