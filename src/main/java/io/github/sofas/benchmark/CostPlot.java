@@ -52,9 +52,9 @@ final class CostPlot {
 
     private static XYChart chart(List<RecordingFigures> recordings) {
         XYChart chart = new XYChart(WIDTH, HEIGHT);
-        chart.setTitle("Cost of an event over the density");
+        chart.setTitle("Cost per event over the density");
         chart.setXAxisTitle("events while the picture travels 1 px");
-        chart.setYAxisTitle("engine, ns an event");
+        chart.setYAxisTitle("engine, ns per event");
         Font small = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
         chart.getStyler().setDefaultSeriesRenderStyle(XYSeriesRenderStyle.Scatter).setXAxisLogarithmic(true)
             .setYAxisMin(0.0).setLegendPosition(LegendPosition.OutsideS)

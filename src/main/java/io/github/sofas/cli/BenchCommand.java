@@ -72,7 +72,7 @@ final class BenchCommand implements Callable<Integer> {
     private int sampledMs;
 
     @Option(names = "--plot", paramLabel = "FILE",
-        description = "Draw the cost of an event over the density, a point for each recording, as PNG.")
+        description = "Draw the cost per event over the density, a point for each recording, as PNG.")
     private Path plot;
 
     @Mixin

@@ -64,7 +64,7 @@ final class ClaimsChapter {
                     td(claim.figure).withClass("wrap"),
                     each(methods, method -> td(values(experiments, claim, method))))))))
                 .withClass("scroll"),
-            p(text("The paper's own speed was 6,000 events a second (81,700 events in 13.6 s); "),
+            p(text("The paper's own speed was 6,000 events per second (81,700 events in 13.6 s); "),
                 code("./sofas bench"),
                 text(" measures this one's.")));
     }
