@@ -33,7 +33,7 @@ final class OneBody {
      * Most pairs of bodies have less.
      */
     private static final double LEAST_SHARE = 0.8;
-    /** Standard deviations that the common motion may lose after it has been improved once: two bodies lose more. */
+    /** Standard deviations that the common motion may lose each time that it was improved: two bodies lose more. */
     private static final double HOPELESS_SIGMAS = 8;
     /** Fewest live events of either part of a body that grows or shrinks. */
     private static final int LEAST_GROWING_EVENTS = 100;
@@ -147,7 +147,7 @@ final class OneBody {
 
     /**
      * Gain of the metric by the one motion, in standard deviations, once that motion and the velocities of both parts
-     * have been improved.
+     * have been improved; {@link #NOTHING} as soon as the motion proves hopeless.
      *
      * @param turns whether the motion may turn
      * @param before metric along the velocities of both parts before these are improved

@@ -54,7 +54,7 @@ public class ReachesTest {
     }
 
     @Test
-    public void boxesTellOfNoTimeBeforeTheyAreTakenAndAfterTheyAreOver() {
+    public void boxesAreKnownFromWhenTheyAreTakenUntilTheyAreOver() {
         Reaches reaches = new Reaches();
         assertFalse(reaches.areKnownAt(0));
         reaches.take(new TrackPlane[4], 0, 100, 200);
