@@ -31,7 +31,7 @@ final class CameraClock {
     }
 
     /** Returns the extended time for the low bits that the camera sent. */
-    long tell(int lowBits) {
+    long extend(int lowBits) {
         long timeUs = originUs + wrapUs + lowBits;
         if (timeUs < newestUs) {
             if (wrapMayBeLost) {

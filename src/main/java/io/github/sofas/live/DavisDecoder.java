@@ -75,7 +75,7 @@ final class DavisDecoder implements CameraDecoder {
         for (int p = 0; p + 1 < length; p += Short.BYTES) {
             int word = (short) SHORT.get(data, p);
             if ((word & IS_TIME) != 0) {
-                clock.tell(word & TIME_MASK);
+                clock.extend(word & TIME_MASK);
                 continue;
             }
             int code = word >> CODE_SHIFT;

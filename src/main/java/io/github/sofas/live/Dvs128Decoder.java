@@ -50,7 +50,7 @@ final class Dvs128Decoder implements CameraDecoder {
                 continue;
             }
             int address = (short) SHORT.get(data, p) & 0xFFFF;
-            long timeUs = clock.tell(time & TIME_MASK);
+            long timeUs = clock.extend(time & TIME_MASK);
             if (addresses.isEvent(address)) {
                 batch.add(timeUs, addresses.x(address), addresses.y(address), addresses.polarity(address));
             } else {
