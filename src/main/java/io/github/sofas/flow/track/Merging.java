@@ -65,6 +65,8 @@ final class Merging {
         MOTION,
         /** They are the leading and the trailing edge of one body, across a gap. */
         EDGES,
+        /** They have gone together for long, far apart from each other. */
+        TOGETHER,
         /** They turn or grow as one body, though none of its parts need show it. */
         BODY
     }
@@ -84,7 +86,7 @@ final class Merging {
         if (touch || areNear(a, b, nowUs)) {
             return shareMotion(a, b, touch, nowUs) || touch && areOneBody(a, b, fit, nowUs);
         }
-        bond = Bond.MOTION;
+        bond = Bond.TOGETHER;
         return haveGoneTogether(a, b, nowUs);
     }
 
@@ -101,6 +103,9 @@ final class Merging {
      * Whether planes that lie far apart have shared their motion over as many px of travel as lie between them, or over
      * less where the motion changed. The shapes of a poster before a moving camera do; bodies that move alike for a
      * moment do not.
+     *
+     * <p>The motions are compared in the middle of the window, where they are known best. Before a camera moved by
+     * hand, the current velocities of two shapes differ by what either window does not show yet.
      */
     private boolean haveGoneTogether(TrackPlane a, TrackPlane b, long nowUs) {
         TrackPlane younger = a.id() > b.id() ? a : b;
@@ -109,9 +114,9 @@ final class Merging {
         if (a.travelPx(nowUs) < TRAVEL_PX || b.travelPx(nowUs) < TRAVEL_PX || !companion.mayBe(older, nowUs)) {
             return false;
         }
-        boolean isAlike = shareMotion(a, b, false, nowUs);
+        boolean isAlike = fit(middleUs(a, b, nowUs), a, b) && common.lost() < MOST_LOST;
         companion.note(older, isAlike, Math.min(evidencePxPerS(a), evidencePxPerS(b)), nowUs);
-        return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs);
+        return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs) && fit(nowUs, a, b);
     }
 
     /** Whether planes that touch and move differently are clearly parts of one body that turns or grows. */
@@ -151,8 +156,12 @@ final class Merging {
      * through that of the other.
      */
     private boolean shareMotion(TrackPlane a, TrackPlane b, boolean touch, long nowUs) {
-        long midUs = nowUs - Math.min(a.lifetimeUs(), b.lifetimeUs()) / 2;
-        return shareMotionAt(midUs, a, b, touch) && shareMotionAt(nowUs, a, b, touch);
+        return shareMotionAt(middleUs(a, b, nowUs), a, b, touch) && shareMotionAt(nowUs, a, b, touch);
+    }
+
+    /** Middle of the shorter of the windows that the motions were measured over. */
+    private static long middleUs(TrackPlane a, TrackPlane b, long nowUs) {
+        return nowUs - Math.min(a.lifetimeUs(), b.lifetimeUs()) / 2;
     }
 
     private boolean shareMotionAt(long timeUs, TrackPlane a, TrackPlane b, boolean touch) {
@@ -160,8 +169,13 @@ final class Merging {
             return common.fitEdges(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs)
                 && common.lost() < MOST_LOST_APART;
         }
-        return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs)
+        return fit(timeUs, a, b)
             && common.lost() < (touch || common.turnsOrGrows(TURNING_SHARE) ? MOST_LOST : MOST_LOST_APART);
+    }
+
+    /** Fits the motion that suits both planes best at a time; returns whether they determine it. */
+    private boolean fit(long timeUs, TrackPlane a, TrackPlane b) {
+        return common.fit(a.motion(), a.measurement().loss(), b.motion(), b.measurement().loss(), timeUs);
     }
 
     /** The common motion of the two planes that were asked about last and are one. */

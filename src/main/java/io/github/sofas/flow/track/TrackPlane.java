@@ -342,7 +342,7 @@ public final class TrackPlane {
     LiveEvents merge(TrackPlane other, Motion common, Merging.Bond bond, LiveEvents spare, long nowUs) {
         motion.copyFrom(common);
         LiveEvents used = recentring.merge(other.recentring, spare);
-        if (bond == Merging.Bond.EDGES) {
+        if (bond == Merging.Bond.EDGES || bond == Merging.Bond.TOGETHER) {
             measurement().believeTurning();
         } else if (bond == Merging.Bond.BODY) {
             measurement().believeAll();

@@ -142,6 +142,24 @@ public class MergingTest {
     }
 
     @Test
+    public void planesFarFromEachOtherGoTogetherByTheMiddleOfTheirWindows() {
+        TrackPlane a = edges.begin(40, 30, 100, 1);
+        TrackPlane b = edges.begin(80, 30, 100, 1);
+        Merging merging = new Merging();
+        boolean areOne = false;
+        for (int k = 0; k < 200 && !areOne; k++) {
+            edges.nowUs += 5_000;
+            // always as fast 25 ms ago, in the middle of its 50 ms, and taken to be 40 px/s faster now
+            b.motion().referenceUs = edges.nowUs;
+            b.motion().vx = 140;
+            b.motion().ax = 1_600;
+            areOne = merging.areOne(a, b, edges.fit, edges.nowUs);
+        }
+        assertTrue(areOne);
+        assertEquals(Merging.Bond.TOGETHER, merging.bond());
+    }
+
+    @Test
     public void planesFarFromEachOtherAreOneLaterWhereOneMovesOtherwiseForAWhile() {
         TrackPlane a = edges.begin(40, 30, 100, 1);
         TrackPlane b = edges.begin(80, 30, 100, 1);
