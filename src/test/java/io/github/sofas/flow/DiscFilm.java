@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
 
 /** A disc that moves along the middle row of a sensor, and the labels that its events get. */
 final class DiscFilm {
@@ -43,15 +44,18 @@ final class DiscFilm {
     }
 
     private static List<Event> events(DoubleUnaryOperator centreX, double untilS, double stepS) {
+        double[] centres = IntStream.iterate(0, k -> k * stepS < untilS, k -> k + 1)
+            .mapToDouble(k -> centreX.applyAsDouble(k * stepS)).toArray();
         List<Event> events = new ArrayList<>();
         Random random = new Random(1);
         for (int pixel = 0; pixel < SENSOR.width() * SENSOR.height(); pixel++) {
             double x = pixel % SENSOR.width() + 0.1 * random.nextGaussian();
             double y = pixel / SENSOR.width() - SENSOR.height() / 2.0;
-            boolean covered = isCovered(x, y, centreX.applyAsDouble(0));
-            for (int k = 1; k * stepS < untilS; k++) {
+            double halfPx = Math.sqrt(Math.max(0, RADIUS_PX * RADIUS_PX - y * y));
+            boolean covered = Math.abs(x - centres[0]) < halfPx;
+            for (int k = 1; k < centres.length; k++) {
                 boolean before = covered;
-                covered = isCovered(x, y, centreX.applyAsDouble(k * stepS));
+                covered = Math.abs(x - centres[k]) < halfPx;
                 if (covered != before) {
                     events.add(new Event(pixel % SENSOR.width(), pixel / SENSOR.width(),
                         (long) (k * stepS * 1e6) + random.nextInt(100), covered ? -1 : 1));
@@ -60,9 +64,5 @@ final class DiscFilm {
         }
         events.sort(Comparator.comparingLong(Event::timeUs));
         return events;
-    }
-
-    private static boolean isCovered(double x, double y, double centreX) {
-        return Math.hypot(x - centreX, y) < RADIUS_PX;
     }
 }
