@@ -116,6 +116,7 @@ final class Merging {
         }
         boolean isAlike = fit(middleUs(a, b, nowUs), a, b) && common.lost() < MOST_LOST;
         companion.note(older, isAlike, Math.min(evidencePxPerS(a), evidencePxPerS(b)), nowUs);
+        // where they are one, both go on along the motion that they have in common now
         return isAlike && a.contour().isWithin(companion.togetherPx(), b.contour(), nowUs) && fit(nowUs, a, b);
     }
 
