@@ -51,6 +51,7 @@ final class DiscFilm {
         for (int pixel = 0; pixel < SENSOR.width() * SENSOR.height(); pixel++) {
             double x = pixel % SENSOR.width() + 0.1 * random.nextGaussian();
             double y = pixel / SENSOR.width() - SENSOR.height() / 2.0;
+            // half of the disc along the row of the pixel
             double halfPx = Math.sqrt(Math.max(0, RADIUS_PX * RADIUS_PX - y * y));
             boolean covered = Math.abs(x - centres[0]) < halfPx;
             for (int k = 1; k < centres.length; k++) {

@@ -240,7 +240,7 @@ public final class MotionChange {
         plane.hold(motion, HELD);
     }
 
-    /** Takes the structure to turn as one body: two of its edges that turn together need not each show the rotation. */
+    /** Takes the structure to turn as one body: parts of it that turn together need not each show the rotation. */
     public void believeTurning() {
         turnsAsOne = true;
     }

@@ -15,7 +15,10 @@ import io.github.sofas.flow.motion.Motion;
 final class Merging {
     /** Share of its metric that a plane may lose by the common motion: an edge knows only a part of its velocity. */
     private static final double MOST_LOST = 0.02;
-    /** The same for planes that do not touch: small bodies whose speeds differ by a tenth lose a hundredth at most. */
+    /**
+     * The same for planes that do not touch, unless they have gone together for long: small bodies whose speeds differ
+     * by a tenth lose a hundredth at most.
+     */
     private static final double MOST_LOST_APART = 0.005;
     /**
      * Least difference of the two velocities that rotation and growth cause, as a share of the speed, for planes that
