@@ -4,6 +4,7 @@ import io.github.sofas.event.EventBatch;
 import io.github.sofas.event.SensorSize;
 import io.github.sofas.flow.PlainPlane.Event;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
@@ -46,6 +47,8 @@ final class DiscFilm {
     private static List<Event> events(DoubleUnaryOperator centreX, double untilS, double stepS) {
         double[] centres = IntStream.iterate(0, k -> k * stepS < untilS, k -> k + 1)
             .mapToDouble(k -> centreX.applyAsDouble(k * stepS)).toArray();
+        double leftmost = Arrays.stream(centres).min().orElseThrow();
+        double rightmost = Arrays.stream(centres).max().orElseThrow();
         List<Event> events = new ArrayList<>();
         Random random = new Random(1);
         for (int pixel = 0; pixel < SENSOR.width() * SENSOR.height(); pixel++) {
@@ -53,6 +56,9 @@ final class DiscFilm {
             double y = pixel / SENSOR.width() - SENSOR.height() / 2.0;
             // half of the disc along the row of the pixel
             double halfPx = Math.sqrt(Math.max(0, RADIUS_PX * RADIUS_PX - y * y));
+            if (x + halfPx <= leftmost || x - halfPx >= rightmost) {
+                continue;
+            }
             boolean covered = Math.abs(x - centres[0]) < halfPx;
             for (int k = 1; k < centres.length; k++) {
                 boolean before = covered;

@@ -13,8 +13,17 @@ public final class PlainPlane {
     public record Event(int x, int y, long timeUs, int polarity) {
     }
 
-    /** A cell of a projected plane. */
+    /** A cell of a projected plane. The methods that a record generates are slow where code is compiled quickly. */
     public record Cell(long x, long y) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Cell cell && cell.x == x && cell.y == y;
+        }
+
+        @Override
+        public int hashCode() {
+            return 31 * Long.hashCode(x) + Long.hashCode(y);
+        }
     }
 
     /** A projection: (u - vx (t - t0), v - vy (t - t0)), to the nearest cell. */
@@ -33,7 +42,7 @@ public final class PlainPlane {
 
     /** f(x, y): the sum of the signs of the events that fall on each cell. */
     public static Map<Cell, Integer> accumulate(List<Event> events, Plane plane) {
-        Map<Cell, Integer> f = new HashMap<>();
+        Map<Cell, Integer> f = new HashMap<>(2 * events.size());
         for (Event e : events) {
             f.merge(plane.cellOf(e), e.polarity, Integer::sum);
         }

@@ -86,7 +86,7 @@ public class AgreesWithPlainTest {
         // nobody asks for a metric between two structures, so that events wait for as long as they may
         int found = 0;
         for (Numbers p : List.of(SHORT, Changed.of(SHORT, "flowProjections", 4),
-                Changed.of(SHORT, "constantEvents", 3))) {
+                Changed.of(SHORT, "flowProjections", 7, "constantEvents", 3))) {
             for (List<Event> events : streams()) {
                 FlowPlane fast = new FlowPlane(TINY.width(), TINY.height(), p);
                 PlainFlowPlane plain = new PlainFlowPlane(p);

@@ -19,6 +19,7 @@ import java.util.Set;
 final class PlainFlowPlane {
     private final Numbers p;
     private final int n;
+    private final long[] metrics;
 
     List<Event> events = new ArrayList<>();
     private long referenceUs;
@@ -34,6 +35,7 @@ final class PlainFlowPlane {
     PlainFlowPlane(Numbers p) {
         this.p = p;
         n = p.flowProjections();
+        metrics = new long[n * n];
     }
 
     boolean add(Event e) {
@@ -72,8 +74,9 @@ final class PlainFlowPlane {
         return new Plane(PlainPlane.velocity(scale, ax), PlainPlane.velocity(scale, ay), reference);
     }
 
+    /** The metric of a projection at the last event. */
     long metric(int i, int j) {
-        return PlainPlane.metric(events, projection(i, j));
+        return metrics[i + n * j];
     }
 
     /** The greatest metric; of equal ones the slowest, of equally slow ones the first. */
@@ -84,6 +87,7 @@ final class PlainFlowPlane {
         for (int k = 0; k < n * n; k++) {
             Plane plane = projection(k % n, k / n);
             long metric = PlainPlane.metric(events, plane);
+            metrics[k] = metric;
             double speed = Math.hypot(plane.vxPxPerS(), plane.vyPxPerS());
             if (metric > most || metric == most && speed < slowest * (1 - 1e-9)) {
                 found = k;

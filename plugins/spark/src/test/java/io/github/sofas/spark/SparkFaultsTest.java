@@ -19,6 +19,9 @@ import org.junit.Test;
 
 /** Batches with recordings that fail, and batches that are stopped or find no room, on an embedded Spark. */
 public class SparkFaultsTest {
+    /** Of a batch that is stopped after three of them. */
+    private static final int RECORDINGS = 24;
+
     @Rule
     public final SixRecordings six = new SixRecordings();
 
@@ -76,7 +79,7 @@ public class SparkFaultsTest {
 
     @Test
     public void whatIsStoppedLeavesNothingHalfAndGoesOn() throws Exception {
-        for (int i = 6; i < 60; i++) {
+        for (int i = 6; i < RECORDINGS; i++) {
             Submitted.writeRecording(six.recordings().resolve("edge-" + i + ".aedat"), SixRecordings.EVENTS);
         }
         Submitted batch = Submitted.start(six.root(), List.of(), six.recordings().toString(), "--out",
@@ -89,7 +92,7 @@ public class SparkFaultsTest {
         // that of a process which SIGTERM ended
         assertEquals(stopped.errLines().toString(), 143, stopped.exitCode());
         int done = summaries();
-        assertTrue(done + " done", done >= 3 && done < 60);
+        assertTrue(done + " done", done >= 3 && done < RECORDINGS);
         assertEquals(Set.of(), six.hidden());
         assertFalse(Files.exists(six.out().resolve("batch.parquet")));
 
@@ -97,7 +100,7 @@ public class SparkFaultsTest {
 
         assertEquals(rest.errLines().toString(), 0, rest.exitCode());
         Map<String, String> earlier = six.column("earlier");
-        assertEquals(60, earlier.size());
+        assertEquals(RECORDINGS, earlier.size());
         assertEquals(done, earlier.values().stream().filter("true"::equals).count());
     }
 
