@@ -38,6 +38,8 @@ final class Candidates {
     private static final int CLEAR_TRACE = 2 * PixelHistory.ON_THE_PIXEL;
     /** Fewest live events of a texture: where a smaller structure enters, most of the events are not its own. */
     private static final int LEAST_OF_TEXTURE = 2000;
+    /** Trace that proves that an edge came along a motion, even where a whole wall fires around the edge. */
+    private static final int SURE_TRACE = 6 * PixelHistory.ON_THE_PIXEL;
 
     /** Planes that expect the event; as long as none does, all planes that it was offered to. */
     private TrackPlane[] planes = new TrackPlane[16];
@@ -136,7 +138,8 @@ final class Candidates {
 
     /**
      * Returns the plane that gets the event although no plane expects it. A texture that enters the picture there gets
-     * it. The ground gets it where the ground comes out from behind a body.
+     * it, unless the edge clearly came along the motion of another plane. The ground gets it where the ground comes out
+     * from behind a body.
      *
      * @param remembering the plane that remembers the place of the event; null for none
      * @param noise noise events per pixel and per µs, of each polarity
@@ -161,7 +164,7 @@ final class Candidates {
             return entering;
         }
         if (entering != null) {
-            return other == entering ? null : entering;
+            return other == entering || event.trace(other) >= SURE_TRACE ? null : entering;
         }
         return ground.has(other, event) ? ground.plane() : null;
     }

@@ -164,13 +164,17 @@ public class CandidatesTest {
 
     /**
      * The plane of an event at (2, 45) on no contour, in the boxes of plane 1, whose texture has columns 6 to 25, and
-     * of plane 2.
+     * of plane 2, along whose motion an edge came by some columns.
      *
      * @param times live events of plane 1 are so many times 150
      */
-    private int planeOfEntering(double vx, int times) {
+    private int planeOfEntering(double vx, int times, int columns) {
         TrackPlane first = edges.begin(100, 60, vx, times);
         TrackPlane second = edges.begin(100, 0, -100, 1);
+        for (int c = columns; c >= 1; c--) {
+            assertEquals("in no box", 0, edges.label(2 + c, 45));
+            edges.nowUs += 10_000;
+        }
         for (int ago = 1; ago >= 0; ago--) {
             for (int x = 6; x < 26; x++) {
                 for (int y = 35; y < 56; y++) {
@@ -185,18 +189,25 @@ public class CandidatesTest {
 
     @Test
     public void whatEntersThePictureGoesToTheTextureThatDoesSo() {
-        assertEquals(1, planeOfEntering(100, 14));
+        assertEquals(1, planeOfEntering(100, 14, 0));
         edges.stack.reset();
-        assertEquals("it leaves there", 0, planeOfEntering(-100, 14));
+        assertEquals("it leaves there", 0, planeOfEntering(-100, 14, 0));
         edges.stack.reset();
-        assertEquals("of 1,950 events", 0, planeOfEntering(100, 13));
+        assertEquals("of 1,950 events", 0, planeOfEntering(100, 13, 0));
     }
 
     @Test
     public void whatEntersThePictureDoesNotMeasure() {
-        planeOfEntering(100, 14);
+        planeOfEntering(100, 14, 0);
         LiveEvents live = edges.stack.planeOf(1).live();
         assertEquals(Claim.APPEARING, live.claim(live.index(live.size() - 1)));
+    }
+
+    @Test
+    public void whatClearlyCameAlongAnotherMotionDoesNotEnter() {
+        assertEquals("six px on the very pixel", 2, planeOfEntering(100, 14, 6));
+        edges.stack.reset();
+        assertEquals("five", 1, planeOfEntering(100, 14, 5));
     }
 
     /**
