@@ -33,10 +33,6 @@ public class AccuracyTest {
      * of 1 in %, parts of an object beyond the first in %.
      */
     private record Errors(double velocity, double withoutFlow, double area, double parts) {
-        private static Errors of(Scene scene, SimulationOptions options, SofasParameters parameters, int seeds) {
-            return of(evaluations(scene, options, parameters, seeds));
-        }
-
         private static Errors of(List<Evaluation> evaluations) {
             Errors sum = new Errors(0, 0, 0, 0);
             for (Evaluation evaluation : evaluations) {
@@ -82,11 +78,12 @@ public class AccuracyTest {
 
     private static void assertReaches(Scene scene, SimulationOptions options, SofasParameters parameters,
                                       double velocity, double withoutFlow, double area, double parts) {
-        assertReaches(scene, Errors.of(scene, options, parameters, SEEDS),
+        assertReaches(scene, evaluations(scene, options, parameters, SEEDS),
             new Errors(velocity, withoutFlow, area, parts));
     }
 
-    private static void assertReaches(Scene scene, Errors errors, Errors reached) {
+    private static void assertReaches(Scene scene, List<Evaluation> evaluations, Errors reached) {
+        Errors errors = Errors.of(evaluations);
         String message = scene.sceneName() + ": errors " + errors + "; reached were " + reached;
         assertTrue(message, errors.isWithinTwice(reached));
     }
@@ -147,7 +144,7 @@ public class AccuracyTest {
 
     private static void assertReachesInTheDark(Scene scene, SimulationOptions dark, int seeds, Errors reached) {
         List<Evaluation> evaluations = evaluations(scene, dark, DEFAULTS, seeds);
-        assertReaches(scene, Errors.of(evaluations), reached);
+        assertReaches(scene, evaluations, reached);
         for (Evaluation evaluation : evaluations) {
             assertTrue(scene.sceneName(), evaluation.noiseShareWithFlow() <= 0.03);
         }
@@ -193,7 +190,7 @@ public class AccuracyTest {
 
     @Test
     public void shapesSideBySideThatPartSlowlyAreTwo() {
-        assertReaches(Scene.SIDE_BY_SIDE, Errors.of(Scene.SIDE_BY_SIDE, PLAIN, DEFAULTS, SEEDS_BY_CHANCE),
+        assertReaches(Scene.SIDE_BY_SIDE, evaluations(Scene.SIDE_BY_SIDE, PLAIN, DEFAULTS, SEEDS_BY_CHANCE),
             new Errors(4.86, 0.16, 17.66, 24.40));
     }
 
