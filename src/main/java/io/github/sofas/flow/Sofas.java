@@ -84,12 +84,12 @@ public final class Sofas implements EventLabeller {
 
     /**
      * {@return the upper bound of the memory that an engine holds, in bytes, whatever the events} It is the sum of its
-     * arrays, as large as they may grow. For 240 x 180 px it is 124 MB with the default preset and 275 MB with the
-     * paper's, with 64 track planes; with one, 65 and 44 MB.
+     * arrays, as large as they may grow. For 240 x 180 px it is 126 MB with the default preset and 275 MB with the
+     * paper's, with 64 track planes; with one, 67 and 44 MB.
      *
      * <p>With n² projections, P track planes and a sensor of w x h px, {@code default}: 2 n² + 16 bytes for each cell
      * of an accumulator, which has up to w/2 + travel/2 + 3 columns and h/2 + travel/2 + 3 rows, rounded up to powers
-     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 19 for each of the newest 2
+     * of two; 45 bytes for each of the 2^20 events that the flow plane holds at most, and 23 for each of the newest 2
      * to 4 events per pixel, at most 2^20; 45 bytes per pixel; three times 8 bytes for each cell of a grid that motion
      * is measured on, and for 8,192 more, and 72 for each of 16,384 events; 16 for each cell of 4 x 4 px of the sensor
      * and of 32 px around it; 4 for each of (w + 24) (h + 24) pixels, 33 for each cell of 8 x 8 px of the sensor and of

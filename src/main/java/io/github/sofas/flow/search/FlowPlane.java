@@ -37,6 +37,7 @@ public final class FlowPlane {
     private final int n;
     private final FlowPlaneEvents events = new FlowPlaneEvents();
     private final RecentEvents recent;
+    private final DenseRegions regions;
     private final SearchedTiles searched;
     private final short[][] f;
     private final long[] metric;
@@ -69,6 +70,7 @@ public final class FlowPlane {
         n = projections.n();
         sensor = new SensorSize(sensorWidth, sensorHeight);
         recent = new RecentEvents(sensor);
+        regions = new DenseRegions(sensor, recent);
         searched = new SearchedTiles(sensor);
         coming = new VoteBlock(projections.columnBits(), projections.rowBits());
         leaving = new VoteBlock(projections.columnBits(), projections.rowBits());
@@ -85,12 +87,13 @@ public final class FlowPlane {
     /** Most bytes of the arrays of a flow plane. */
     static long mostBytes(SensorSize sensor, SofasParameters.Search p) {
         return Projections.cells(sensor) * p.flowProjections() * p.flowProjections() * Short.BYTES
-            + FlowPlaneEvents.mostBytes() + RecentEvents.bytes(sensor);
+            + FlowPlaneEvents.mostBytes() + RecentEvents.bytes(sensor) + DenseRegions.bytes(sensor);
     }
 
     /** Adds an event. If its tile is searched, the event waits to be projected. */
     public void add(int eventX, int eventY, long eventUs, int polarity) {
         recent.add(eventX, eventY, eventUs, polarity);
+        regions.add(eventX, eventY, eventUs);
         if (!searched.takes(eventX, eventY, eventUs)) {
             return;
         }
@@ -255,6 +258,11 @@ public final class FlowPlane {
         return recent;
     }
 
+    /** The regions of the sensor with many of the newest events. */
+    DenseRegions regions() {
+        return regions;
+    }
+
     /** Accumulator of a projection, read only, as of the time when its ring last caught up. */
     short[] accumulator(int k) {
         return f[k];
@@ -319,6 +327,7 @@ public final class FlowPlane {
         Arrays.fill(votedTo, 0);
         events.clear();
         recent.clear();
+        regions.clear();
         searched.reset();
         settled = 0;
         total = 0;

@@ -31,7 +31,7 @@ public final class StructureSearch {
     /** Votes that a look in vain may have cost per unmatched event until the next look. */
     private static final int VAIN_VOTES = 30;
 
-    private enum Stage { IDLE, CHOOSING, REFINING, TAKING_OVER, TAKING_OUT }
+    private enum Stage { IDLE, MEASURING_REGION, CHOOSING, REFINING, TAKING_OVER, TAKING_OUT }
 
     private final FlowPlane plane;
     private final Projections projections;
@@ -41,6 +41,8 @@ public final class StructureSearch {
     private final long[] refusedUntil;
     private final Pieces pieces;
     private final PieceRefinement refinement;
+    private final DenseRegions regions;
+    private final RegionRefinement ofRegion;
     private final Recognition recognition;
     private final TakingOver takingOver;
     private final TakenEvents taken;
@@ -87,6 +89,8 @@ public final class StructureSearch {
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
+        regions = plane.regions();
+        ofRegion = new RegionRefinement(regions, plane.recent(), fit);
         recognition = new Recognition(structures, events);
         taken = new TakenEvents(plane);
         takingOver = new TakingOver(plane, fit, structures, taken, budget);
@@ -148,13 +152,16 @@ public final class StructureSearch {
     /** Whether a look is under way or due, and can continue. */
     private boolean isBusy() {
         if (stage == Stage.IDLE) {
-            return plane.total() >= nextLook || mayBeSpread && takingOver.isAnyDue();
+            return plane.total() >= nextLook || regions.isAnyDue() || mayBeSpread && takingOver.isAnyDue();
         }
         return stage != Stage.TAKING_OVER || mayBeSpread || !takingOver.waits();
     }
 
     private void work() {
         switch (stage) {
+            case MEASURING_REGION:
+                measureRegion();
+                break;
             case CHOOSING:
                 choose();
                 break;
@@ -172,11 +179,35 @@ public final class StructureSearch {
         }
     }
 
-    /** Begins to look at the best projection, if there is one. */
+    /** Begins to look at a dense region, or else at the best projection, if there is one. */
     private void look() {
-        if (mayBeSpread && spreadsOn() || plane.total() < nextLook) {
+        if (mayBeSpread && spreadsOn()) {
             return;
         }
+        if (regions.isAnyDue()) {
+            budget.spend(ofRegion.begin() / Surroundings.EVENTS_PER_VOTE);
+            stage = Stage.MEASURING_REGION;
+        } else if (plane.total() >= nextLook) {
+            lookAtProjection();
+        }
+    }
+
+    private void measureRegion() {
+        long before = fit.votes();
+        if (!ofRegion.isOver()) {
+            ofRegion.step();
+        }
+        budget.spend(fit.votes() - before);
+        if (ofRegion.isOver()) {
+            stage = Stage.IDLE;
+            if (ofRegion.isStructure() && !structures.isFull()) {
+                takingOver.begin(ofRegion);
+                stage = Stage.TAKING_OVER;
+            }
+        }
+    }
+
+    private void lookAtProjection() {
         nextLook = plane.total() + every;
         int best = structures.isFull() ? -1 : best();
         if (best >= 0) {
@@ -371,7 +402,7 @@ public final class StructureSearch {
         }
         if (takingOver.hasHanded()) {
             beginToTakeOut();
-        } else if (takingOver.isOfTracked()) {
+        } else if (!takingOver.isOfPiece()) {
             stage = Stage.IDLE;
         } else {
             stage = Stage.CHOOSING;

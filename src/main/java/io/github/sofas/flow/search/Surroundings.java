@@ -12,6 +12,9 @@ import java.util.Arrays;
  * whether its own events are sharpest near the part's velocity. If so, its neighbours are asked, too. For a structure
  * that is already tracked, asking begins with the tiles in and around its box.
  *
+ * <p>What surrounds a dense region is asked less: whether its events are no sharper, by a standard deviation, near the
+ * region's velocity than along it. The region has shown that velocity by more events than a tile has, and earlier.
+ *
  * <p>Ours: a wall before a camera has hundreds of parts. Finding one costs a hundred times what asking it does, and
  * each part found is tracked by itself until it merges. The whole wall may have a million events. These are gone
  * through a few at a time, so that no event that comes in the meantime waits for all of them.
@@ -75,6 +78,8 @@ final class Surroundings {
     // the structure: its motion, and whether it is tracked or new
     private final Motion motion = new Motion();
     private boolean isOfTracked;
+    /** Whether it is a dense region, whose tiles need not show by themselves that they move. */
+    private boolean isOfRegion;
     private long nowUs;
     /** The events with which tiles are asked: from the first to before the last. */
     private int first;
@@ -109,14 +114,29 @@ final class Surroundings {
     void begin(double structureVx, double structureVy, long atUs) {
         motion.set(atUs, structureVx, structureVy);
         isOfTracked = false;
-        begin(Math.sqrt(structureVx * structureVx + structureVy * structureVy), atUs);
+        isOfRegion = false;
+        begin(TRAVEL_PX / Math.sqrt(structureVx * structureVx + structureVy * structureVy), atUs);
+    }
+
+    /** Begins with the velocity of a dense region in px/s, found in a window of time. Asking begins with its tiles. */
+    void begin(double regionVx, double regionVy, double windowS, int left, int top, long atUs) {
+        motion.set(atUs, regionVx, regionVy);
+        isOfTracked = false;
+        isOfRegion = true;
+        begin(Math.min(windowS, TRAVEL_PX / Math.sqrt(regionVx * regionVx + regionVy * regionVy)), atUs);
+        for (int y = top; y < top + DenseRegions.SIDE_PX; y += SIDE_PX) {
+            for (int x = left; x < left + DenseRegions.SIDE_PX; x += SIDE_PX) {
+                addPlace(x, y, atUs);
+            }
+        }
     }
 
     /** Begins with a tracked structure that moves. Asking begins with the tiles in its box and around it. */
     void begin(Structures.Structure structure, long atUs) {
         structure.copyMotion(motion);
         isOfTracked = true;
-        begin(structure.speed(), atUs);
+        isOfRegion = false;
+        begin(TRAVEL_PX / structure.speed(), atUs);
         for (int tile = 0; tile < state.length; tile++) {
             if (structure.isAround(centreX(tile), centreY(tile), SIDE_PX, nowUs)) {
                 enqueue(tile);
@@ -124,9 +144,9 @@ final class Surroundings {
         }
     }
 
-    private void begin(double speed, long atUs) {
+    private void begin(double windowS, long atUs) {
         nowUs = atUs;
-        window = TRAVEL_PX / speed;
+        window = windowS;
         first = events.first(nowUs - (long) (window * 1e6));
         last = events.head();
         next = first;
@@ -274,12 +294,16 @@ final class Surroundings {
         double tileVy = motion.vyAt(centreX(tile), centreY(tile), nowUs);
         // in a sample, events meet less often in proportion
         double ofAll = (double) size / want / want;
-        if (fit.metric(tileVx, tileVy) * ofAll < LEAST_DENSITY_HERE || fit.isSharperAtRest(tileVx, tileVy)) {
+        double here = fit.metric(tileVx, tileVy);
+        if (here * ofAll < LEAST_DENSITY_HERE || fit.isSharperAtRest(tileVx, tileVy)) {
             return false;
         }
         double px = 2 / window;
         fit.frame(STEP_PX * px);
         VelocityTop top = fit.fitCross(tileVx, tileVy, MetricFit.FLAT_SIGMAS);
+        if (isOfRegion) {
+            return here >= top.metric() - MetricFit.sd(top.metric());
+        }
         return top.metric() * ofAll >= LEAST_DENSITY && top.steps() * STEP_PX < NEAR_PX
             && top.bestLoss() * px * px >= LEAST_SHARPNESS * top.metric();
     }

@@ -30,6 +30,8 @@ final class TakingOver {
     private Structures.Structure structure;
     private double vx;
     private double vy;
+    /** Whether the structure is new, and a piece of the flow plane. */
+    private boolean isOfPiece;
     /** Whether the structure has received its surroundings. */
     private boolean hasHanded;
     /** The next event of the flow plane to look at. */
@@ -45,17 +47,27 @@ final class TakingOver {
         surroundings = new Surroundings(plane.sensor(), plane.recent(), fit);
     }
 
-    /** Begins with the velocity of a new structure in px/s; its places are to be added. */
+    /** Begins with a piece that shows a structure, by its velocity in px/s; its places are to be added. */
     void begin(double structureVx, double structureVy) {
         vx = structureVx;
         vy = structureVy;
         begin();
+        isOfPiece = true;
         surroundings.begin(vx, vy, plane.recent().newestUs());
+    }
+
+    /** Begins with a dense region that shows a structure. */
+    void begin(RegionRefinement region) {
+        vx = region.vx();
+        vy = region.vy();
+        begin();
+        surroundings.begin(vx, vy, region.windowS(), region.left(), region.top(), plane.recent().newestUs());
     }
 
     private void begin() {
         taken.clear();
         hasHanded = false;
+        isOfPiece = false;
         stage = Stage.ASKING;
     }
 
@@ -90,14 +102,14 @@ final class TakingOver {
         return hasHanded;
     }
 
-    /** Whether the structure was tracked before, and is not new. */
-    boolean isOfTracked() {
-        return surroundings.isOfTracked();
+    /** Whether the structure is new, and a piece of the flow plane. */
+    boolean isOfPiece() {
+        return isOfPiece;
     }
 
     /** Whether the next step has to wait until no other thread works with the structure. */
     boolean waits() {
-        return stage == Stage.HANDING && isOfTracked();
+        return stage == Stage.HANDING && surroundings.isOfTracked();
     }
 
     /** Earns the additional votes of another event. */
@@ -135,18 +147,18 @@ final class TakingOver {
     private void ask(int fewest) {
         if (!surroundings.isAsked()) {
             budget.spend(surroundings.ask(fewest));
-        } else if (!surroundings.isAny() || !isOfTracked() && structures.isFull()) {
+        } else if (!surroundings.isAny() || !surroundings.isOfTracked() && structures.isFull()) {
             stage = Stage.OVER;
         } else {
             budget.letGo();
-            structure = isOfTracked() ? structure : structures.create(plane.recent().newestUs(), vx, vy);
+            structure = surroundings.isOfTracked() ? structure : structures.create(plane.recent().newestUs(), vx, vy);
             stage = Stage.HANDING;
         }
     }
 
     /** Hands some events over; returns the number of events gone through. */
     private int hand() {
-        if (isOfTracked() && !structure.isTracked()) {
+        if (surroundings.isOfTracked() && !structure.isTracked()) {
             stage = Stage.OVER;
             return 0;
         }
@@ -159,10 +171,10 @@ final class TakingOver {
 
     private void endHanding() {
         // there may be less room for structures by now
-        hasHanded = isOfTracked() || !structures.isFull();
+        hasHanded = surroundings.isOfTracked() || !structures.isFull();
         stage = hasHanded ? Stage.GATHERING : Stage.OVER;
         gathered = events.first(surroundings.seenFromUs());
-        if (hasHanded && !isOfTracked()) {
+        if (hasHanded && !surroundings.isOfTracked()) {
             long nowUs = plane.recent().newestUs();
             structure.begin(nowUs);
             spreading.add(structure, nowUs);

@@ -191,8 +191,17 @@ public class StructureSearchTest {
     @Test
     public void noiseIsNotLookedAt() {
         Looks looks = new Looks();
-        looks.addNoise(2_000, 0);
+        looks.addNoise(600, 0);
         assertEquals(0, looks.look(100_000));
+    }
+
+    @Test
+    public void noiseThatFillsARegionCostsFewVotes() {
+        Looks looks = new Looks();
+        looks.addNoise(2_000, 0);
+        // of 614, 859, 1,202 and 1,682 events
+        long votes = looks.look(100_000);
+        assertTrue("votes " + votes, votes > 0 && votes <= 614 + 859 + 1_202 + 1_682);
     }
 
     @Test
@@ -292,6 +301,12 @@ public class StructureSearchTest {
         @Override
         public void addPast(int x, int y, long timeUs, int polarity) {
             handed++;
+        }
+
+        @Override
+        public boolean expects(int x, int y, long timeUs, int polarity) {
+            // what comes while a piece is refined counts as little as what comes later
+            return false;
         }
     }
 

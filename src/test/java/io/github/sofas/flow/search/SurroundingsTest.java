@@ -102,6 +102,33 @@ public class SurroundingsTest {
         }
     }
 
+    /** Asks around the region of 64 px at the left border, above. */
+    private void spreadFromRegion(double windowS) {
+        surroundings.begin(100, 0, windowS, 0, 0, NOW_US);
+        askAll();
+    }
+
+    @Test
+    public void whatMovesAsARegionDoesIsAlikeAfterThreePixels() {
+        film(100, 0);
+        spreadFromRegion(0.03);
+        for (int x = 16; x < 224; x += 32) {
+            assertTrue("at " + x, surroundings.has(x, 48, NOW_US));
+        }
+        // those of the last 30 ms were asked, and of twice that are handed
+        assertEquals(0, surroundings.seenFromUs());
+    }
+
+    @Test
+    public void whatMovesOtherwiseThanARegionIsNotAlikeAfterThreePixels() {
+        film(0, 100);
+        spreadFromRegion(0.03);
+        assertTrue(surroundings.has(48, 48, NOW_US));
+        for (int x = 176; x < 256; x += 32) {
+            assertFalse("at " + x, surroundings.has(x, 48, NOW_US));
+        }
+    }
+
     @Test
     public void nothingMovesAlikeWhereTheVelocityIsAnother() {
         film(100, 0);

@@ -101,6 +101,40 @@ public class TakingOverTest {
         assertTrue("taken " + taken.size(), taken.size() > structure.handed);
     }
 
+    /** Begins with the first region that shows a structure. */
+    private void beginWithRegion() {
+        RegionRefinement region = new RegionRefinement(plane.regions(), plane.recent(), fit);
+        do {
+            region.begin();
+            while (!region.isOver()) {
+                region.step();
+            }
+        } while (!region.isStructure());
+        takingOver.begin(region);
+    }
+
+    @Test
+    public void structureOfARegionBeginsWithAllThatMovesAlikeAroundIt() {
+        plane.reset();
+        addSteps(0, 5);
+        beginWithRegion();
+        assertFalse(takingOver.isOfPiece());
+        goOnToTheEnd();
+        assertTrue(structure.begun);
+        assertTrue(takingOver.hasHanded());
+        assertTrue("handed " + structure.handed, structure.handed > 3 * POINTS);
+    }
+
+    @Test
+    public void structureIsNotOfAPieceOnceItIsTracked() {
+        begin();
+        assertTrue(takingOver.isOfPiece());
+        goOnToTheEnd();
+        addSteps(6, 12);
+        assertTrue(takingOver.beginWithDue());
+        assertFalse(takingOver.isOfPiece());
+    }
+
     @Test
     public void nothingIsHandedWhereNoMoreStructuresAreTracked() {
         structure.full = true;
