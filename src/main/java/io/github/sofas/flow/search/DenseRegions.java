@@ -5,8 +5,8 @@ import java.util.Arrays;
 
 /**
  * The squares of 64 px into which the sensor is divided, and which of them have so many events that no track plane took
- * that they may show a velocity by themselves. A region is due each time that it has half as many again as the last
- * time.
+ * that they may show a velocity by themselves. A region is due each time that it has 1.4 times as many events as the
+ * last time.
  *
  * <p>Ours: where texture fills a region, the number of its events is a clock of its travel, whatever its speed.
  */
@@ -21,7 +21,6 @@ final class DenseRegions {
     private static final double MORE = 1.4;
     /** Most events of a region: more than texture gives in 5 px of travel. Then the region begins anew. */
     private static final int MOST = 3 * AREA;
-
     /** Longest time for which a region gathers events: in a longer one, a swing to and fro looks like a drift. */
     private static final long LONGEST_US = 200_000;
 

@@ -30,8 +30,8 @@ final class RegionRefinement {
      */
     private static final double KNOWN_SIGMAS = 1;
     /**
-     * Least metric per event at rest. Texture has more than twice as much after 3 px of travel, and noise a tenth: it
-     * is given up after one vote of each event.
+     * Least metric per event at rest. Texture has more than twice as much after 3 px of travel. Noise has next to
+     * none, and is given up after one vote of each event.
      */
     private static final double LEAST_DENSITY = 0.2;
     /** Cells along a side of what is fitted, and the share of them on which texture has events. */

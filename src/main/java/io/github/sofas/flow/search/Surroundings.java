@@ -12,8 +12,9 @@ import java.util.Arrays;
  * whether its own events are sharpest near the part's velocity. If so, its neighbours are asked, too. For a structure
  * that is already tracked, asking begins with the tiles in and around its box.
  *
- * <p>What surrounds a dense region is asked less: whether its events are no sharper, by a standard deviation, near the
- * region's velocity than along it. The region has shown that velocity by more events than a tile has, and earlier.
+ * <p>A tile around a dense region is asked for less: it moves alike unless its events are sharper, by a standard
+ * deviation, near the region's velocity than along it. A region shows its velocity by more events than a tile has, and
+ * earlier.
  *
  * <p>Ours: a wall before a camera has hundreds of parts. Finding one costs a hundred times what asking it does, and
  * each part found is tracked by itself until it merges. The whole wall may have a million events. These are gone
