@@ -17,7 +17,8 @@ import io.github.sofas.flow.fit.VelocityTop;
  * they show it. Many have not travelled enough yet, and are sharper at rest than along their projection.
  */
 final class PieceRefinement {
-    private static final int MOST_FITS = 8;
+    /** Distance of the first projections, in px at the ends of the window. */
+    private static final double FIRST_PX = 2;
     /** Most events of a piece that are fitted. */
     private static final int SAMPLE_EVENTS = 1000;
     /**
@@ -44,11 +45,6 @@ final class PieceRefinement {
      * have a wrong velocity.
      */
     private static final double LEAST_SIGMAS = 6;
-    /**
-     * A velocity is known along both axes where a shift of both ends of the window by one pixel loses at least so many
-     * standard deviations of the metric, in any direction.
-     */
-    private static final double KNOWN_SIGMAS = 1;
     /** Least metric per event of a piece that shows its velocity by many events. */
     private static final double LEAST_DENSITY = 0.7;
     /**
@@ -60,6 +56,7 @@ final class PieceRefinement {
     private enum Stage { BEST, SLOWEST, OVER }
 
     private final MetricFit fit;
+    private final VelocityClimb climb;
     private SofasParameters.Search p;
     private Stage stage = Stage.OVER;
     private boolean structure;
@@ -72,8 +69,6 @@ final class PieceRefinement {
     private double atRest;
     private double vx;
     private double vy;
-    /** Number of fits of this climb so far. */
-    private int fits;
     // what the first climb found
     private double bestX;
     private double bestY;
@@ -81,6 +76,7 @@ final class PieceRefinement {
 
     PieceRefinement(MetricFit fit, SofasParameters.Search p) {
         this.fit = fit;
+        climb = new VelocityClimb(fit);
         this.p = p;
     }
 
@@ -108,7 +104,7 @@ final class PieceRefinement {
         }
         load(events, numbers, from, firstUs + (lastUs - firstUs) / 2);
         stage = Stage.BEST;
-        climbFrom(fromVx, fromVy);
+        climb.begin(fromVx, fromVy, window, FIRST_PX);
     }
 
     private void load(FlowPlaneEvents events, int[] numbers, int from, long referenceUs) {
@@ -124,18 +120,6 @@ final class PieceRefinement {
         if (isAtBorder) {
             fit.cutOff(0, 0, window / 2);
         }
-    }
-
-    private void climbFrom(double fromVx, double fromVy) {
-        vx = fromVx;
-        vy = fromVy;
-        fits = 0;
-        fit.frame(2 * px());
-    }
-
-    /** Velocity that shifts both ends of the window by one pixel. */
-    private double px() {
-        return 2 / window;
     }
 
     /** Whether no fit is left to make. */
@@ -170,26 +154,22 @@ final class PieceRefinement {
 
     /** Makes the next fit. */
     void step() {
-        if (fits == 0 && stage == Stage.BEST) {
+        if (climb.fits() == 0 && stage == Stage.BEST) {
             atRest = fit.metric();
-            if (fit.metric(vx, vy) < atRest) {
+            if (fit.metric(climb.vx(), climb.vy()) < atRest) {
                 stage = Stage.OVER;
                 return;
             }
         }
-        VelocityTop top = fits == 0 ? fit.fit(vx, vy, MetricFit.FLAT_SIGMAS)
-            : fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
-        vx += top.stepX();
-        vy += top.stepY();
-        fits++;
-        if (stage == Stage.BEST && fits <= HOPELESS.length
-                && density(top.metric()) < HOPELESS[fits - 1] * p.evidence()
+        VelocityTop top = climb.step();
+        vx = climb.vx();
+        vy = climb.vy();
+        if (stage == Stage.BEST && climb.fits() <= HOPELESS.length
+                && density(top.metric()) < HOPELESS[climb.fits() - 1] * p.evidence()
                 && sigmasOverRest(top.metric()) < HOPEFUL_SIGMAS) {
             stage = Stage.OVER;
-        } else if (fits == MOST_FITS || fits >= 3 && top.steps() < 0.3) {
+        } else if (climb.hasArrived()) {
             arrive(top);
-        } else {
-            fit.frame(top, MetricFit.NEIGHBOUR_LOSS, px());
         }
     }
 
@@ -217,7 +197,7 @@ final class PieceRefinement {
             bestX = vx;
             bestY = vy;
             bestMetric = top.metric();
-            climbFrom(across * top.axisX(), across * top.axisY());
+            climb.begin(across * top.axisX(), across * top.axisY(), window, FIRST_PX);
         }
     }
 
@@ -226,7 +206,7 @@ final class PieceRefinement {
         double metric = isAtBorder ? fit.metricAsSeen(vx, vy) : top.metric();
         // where the border counts, the climb may have led from rest to a motion that soon leaves the sensor
         return sigmasOverRest(metric) >= LEAST_SIGMAS
-            && (hasTravelled(top) && density(metric) >= p.evidence() || isShown(top, metric));
+            && (hasTravelled(top) && density(metric) >= p.evidence() || isShown(metric));
     }
 
     /** Whether the piece, as fitted last, has travelled enough to be distinguished from one that stands still. */
@@ -238,9 +218,9 @@ final class PieceRefinement {
     }
 
     /** Whether the metric passes that at rest by more than chance, and the velocity is known along both axes. */
-    private boolean isShown(VelocityTop top, double metric) {
+    private boolean isShown(double metric) {
         return window < SHOWN_WITHIN_S && sigmasOverRest(metric) > SHOWN_SIGMAS && density(metric) > LEAST_DENSITY
-            && top.leastLoss() * px() * px() > KNOWN_SIGMAS * Math.sqrt(top.metric());
+            && climb.isKnown();
     }
 
     private double sigmasOverRest(double metric) {

@@ -14,7 +14,8 @@ import java.util.Arrays;
  * A wall that is found before 3 px of travel takes what moves before it along, which does not show yet.
  */
 final class RegionRefinement {
-    private static final int MOST_FITS = 8;
+    /** Distance of the first projections, in px at the ends of the window. */
+    private static final double FIRST_PX = 1;
     /** Fewest events that are fitted, and most: of a region with more, its middle is fitted. */
     private static final int LEAST_EVENTS = 300;
     private static final int SAMPLE_EVENTS = 2048;
@@ -24,11 +25,6 @@ final class RegionRefinement {
     /** Standard deviations by which the metric must pass that at rest, and of those the share after the first fit. */
     private static final double LEAST_SIGMAS = 7;
     private static final double HOPEFUL_SHARE = 0.4;
-    /**
-     * A velocity is known along both axes where a shift of both ends of the window by one pixel loses at least so many
-     * standard deviations of the metric, in any direction.
-     */
-    private static final double KNOWN_SIGMAS = 1;
     /**
      * Least metric per event at rest. Texture has more than twice as much after 3 px of travel. Noise has next to
      * none, and is given up after one vote of each event.
@@ -50,6 +46,7 @@ final class RegionRefinement {
     private final DenseRegions regions;
     private final RecentEvents events;
     private final MetricFit fit;
+    private final VelocityClimb climb;
     private final boolean[] isFilled = new boolean[CELLS * CELLS];
     /** The events along their motion: by pixel of the region, those of polarity +1 less those of -1. */
     private final int[] picture = new int[COLUMNS * COLUMNS];
@@ -63,11 +60,8 @@ final class RegionRefinement {
     private int left;
     private int top;
     private long oldestUs;
-    private int fits;
     private double windowS;
     private double atRest;
-    private double vx;
-    private double vy;
     private boolean isOver = true;
     private boolean isStructure;
 
@@ -75,6 +69,7 @@ final class RegionRefinement {
         this.regions = regions;
         this.events = events;
         this.fit = fit;
+        climb = new VelocityClimb(fit);
     }
 
     /** Begins with the next region that is due; returns the number of events gone through. */
@@ -84,15 +79,12 @@ final class RegionRefinement {
         held = regions.count(region);
         load();
         regions.forgetIfFull(region);
-        fits = 0;
-        vx = 0;
-        vy = 0;
         isStructure = false;
         isOver = true;
         if (fit.size() >= LEAST_EVENTS && windowS > 0 && isFilled()) {
             atRest = fit.metric();
             isOver = atRest < LEAST_DENSITY * fit.size();
-            fit.frame(px());
+            climb.begin(0, 0, windowS, FIRST_PX);
         }
         return held;
     }
@@ -158,38 +150,23 @@ final class RegionRefinement {
         return oldest;
     }
 
-    /** Velocity that shifts both ends of the window by one pixel. */
-    private double px() {
-        return 2 / windowS;
-    }
-
     /** Makes the next fit. */
     void step() {
-        VelocityTop top = fits == 0 ? fit.fit(vx, vy, MetricFit.FLAT_SIGMAS)
-            : fit.fitCross(vx, vy, MetricFit.FLAT_SIGMAS);
-        vx += top.stepX();
-        vy += top.stepY();
-        fits++;
+        VelocityTop top = climb.step();
         double sigmas = (top.metric() - atRest) / MetricFit.sd(top.metric());
-        if (fits == 1 && sigmas < HOPEFUL_SHARE * LEAST_SIGMAS) {
+        if (climb.fits() == 1 && sigmas < HOPEFUL_SHARE * LEAST_SIGMAS) {
             isOver = true;
-        } else if (fits == MOST_FITS || fits >= 3 && top.steps() < 0.3) {
+        } else if (climb.hasArrived()) {
             isOver = true;
-            isStructure = sigmas > LEAST_SIGMAS && isKnown(top) && hasTravelled() && isTexture();
+            isStructure = sigmas > LEAST_SIGMAS && climb.isKnown() && hasTravelled() && isTexture();
             if (isStructure) {
                 regions.forget(region);
             }
-        } else {
-            fit.frame(top, MetricFit.NEIGHBOUR_LOSS, px());
         }
     }
 
-    private boolean isKnown(VelocityTop top) {
-        return top.leastLoss() * px() * px() > KNOWN_SIGMAS * MetricFit.sd(top.metric());
-    }
-
     private boolean hasTravelled() {
-        double travelPx = Math.sqrt(vx * vx + vy * vy) * windowS;
+        double travelPx = Math.sqrt(vx() * vx() + vy() * vy()) * windowS;
         return travelPx > LEAST_TRAVEL_PX && travelPx < MOST_TRAVEL_PX;
     }
 
@@ -210,8 +187,8 @@ final class RegionRefinement {
         int event = newest;
         for (int k = 0; isHeld(k, event); k++) {
             if (isFitted(event)) {
-                int x = (int) Math.floor(events.x(event) - left - vx * tauS(event) + 0.5);
-                int y = (int) Math.floor(events.y(event) - top - vy * tauS(event) + 0.5);
+                int x = (int) Math.floor(events.x(event) - left - vx() * tauS(event) + 0.5);
+                int y = (int) Math.floor(events.y(event) - top - vy() * tauS(event) + 0.5);
                 if (isInside(x) && isInside(y)) {
                     picture[y * COLUMNS + x] += events.sign(event);
                     ofPart[part(y) * PARTS + part(x)]++;
@@ -265,11 +242,11 @@ final class RegionRefinement {
 
     /** Velocity of the structure in px/s. */
     double vx() {
-        return vx;
+        return climb.vx();
     }
 
     double vy() {
-        return vy;
+        return climb.vy();
     }
 
     /** Time from the first to the last event of the region, in s. */
