@@ -57,6 +57,9 @@ final class Surroundings {
     private static final byte ASKED = 1;
     private static final byte ALIKE = 2;
 
+    /** What is surrounded: a new structure that a piece or a dense region shows, or one that is tracked. */
+    private enum Of { PIECE, REGION, TRACKED }
+
     private enum Stage { COUNTING, SORTING, ASKING, ASKED }
 
     private final RecentEvents events;
@@ -76,11 +79,9 @@ final class Surroundings {
     private int next;
     private int asked;
 
-    // the structure: its motion, and whether it is tracked or new
+    // the structure and its motion
+    private Of of = Of.PIECE;
     private final Motion motion = new Motion();
-    private boolean isOfTracked;
-    /** Whether it is a dense region, whose tiles need not show by themselves that they move. */
-    private boolean isOfRegion;
     private long nowUs;
     /** The events with which tiles are asked: from the first to before the last. */
     private int first;
@@ -113,18 +114,12 @@ final class Surroundings {
      * Begins with the velocity of a new structure in px/s. Its places are to be added next; asking begins with these.
      */
     void begin(double structureVx, double structureVy, long atUs) {
-        motion.set(atUs, structureVx, structureVy);
-        isOfTracked = false;
-        isOfRegion = false;
-        begin(TRAVEL_PX / Math.sqrt(structureVx * structureVx + structureVy * structureVy), atUs);
+        beginNew(Of.PIECE, structureVx, structureVy, Double.POSITIVE_INFINITY, atUs);
     }
 
     /** Begins with the velocity of a dense region in px/s, found in a window of time. Asking begins with its tiles. */
     void begin(double regionVx, double regionVy, double windowS, int left, int top, long atUs) {
-        motion.set(atUs, regionVx, regionVy);
-        isOfTracked = false;
-        isOfRegion = true;
-        begin(Math.min(windowS, TRAVEL_PX / Math.sqrt(regionVx * regionVx + regionVy * regionVy)), atUs);
+        beginNew(Of.REGION, regionVx, regionVy, windowS, atUs);
         for (int y = top; y < top + DenseRegions.SIDE_PX; y += SIDE_PX) {
             for (int x = left; x < left + DenseRegions.SIDE_PX; x += SIDE_PX) {
                 addPlace(x, y, atUs);
@@ -132,12 +127,15 @@ final class Surroundings {
         }
     }
 
+    private void beginNew(Of kind, double vx, double vy, double longestS, long atUs) {
+        motion.set(atUs, vx, vy);
+        begin(kind, Math.min(longestS, TRAVEL_PX / Math.sqrt(vx * vx + vy * vy)), atUs);
+    }
+
     /** Begins with a tracked structure that moves. Asking begins with the tiles in its box and around it. */
     void begin(Structures.Structure structure, long atUs) {
         structure.copyMotion(motion);
-        isOfTracked = true;
-        isOfRegion = false;
-        begin(TRAVEL_PX / structure.speed(), atUs);
+        begin(Of.TRACKED, TRAVEL_PX / structure.speed(), atUs);
         for (int tile = 0; tile < state.length; tile++) {
             if (structure.isAround(centreX(tile), centreY(tile), SIDE_PX, nowUs)) {
                 enqueue(tile);
@@ -145,7 +143,8 @@ final class Surroundings {
         }
     }
 
-    private void begin(double windowS, long atUs) {
+    private void begin(Of kind, double windowS, long atUs) {
+        of = kind;
         nowUs = atUs;
         window = windowS;
         first = events.first(nowUs - (long) (window * 1e6));
@@ -189,9 +188,14 @@ final class Surroundings {
         }
     }
 
+    /** Whether the structure is new, and a piece of the flow plane. */
+    boolean isOfPiece() {
+        return of == Of.PIECE;
+    }
+
     /** Whether the structure is already tracked, not new. */
     boolean isOfTracked() {
-        return isOfTracked;
+        return of == Of.TRACKED;
     }
 
     /** Whether all tiles have been asked. */
@@ -302,7 +306,7 @@ final class Surroundings {
         double px = 2 / window;
         fit.frame(STEP_PX * px);
         VelocityTop top = fit.fitCross(tileVx, tileVy, MetricFit.FLAT_SIGMAS);
-        if (isOfRegion) {
+        if (of == Of.REGION) {
             return here >= top.metric() - MetricFit.sd(top.metric());
         }
         return top.metric() * ofAll >= LEAST_DENSITY && top.steps() * STEP_PX < NEAR_PX
@@ -348,7 +352,7 @@ final class Surroundings {
         for (int end = next + Math.min(AT_ONCE, events.head() - next); next != end; next++) {
             int tile = free(next);
             if (tile >= 0 && state[tile] == ALIKE) {
-                if (isOfTracked) {
+                if (of == Of.TRACKED) {
                     structure.see(events.x(next), events.y(next), events.timeUs(next), events.sign(next),
                         events.newestUs());
                 } else {

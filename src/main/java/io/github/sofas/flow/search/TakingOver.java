@@ -30,8 +30,6 @@ final class TakingOver {
     private Structures.Structure structure;
     private double vx;
     private double vy;
-    /** Whether the structure is new, and a piece of the flow plane. */
-    private boolean isOfPiece;
     /** Whether the structure has received its surroundings. */
     private boolean hasHanded;
     /** The next event of the flow plane to look at. */
@@ -52,7 +50,6 @@ final class TakingOver {
         vx = structureVx;
         vy = structureVy;
         begin();
-        isOfPiece = true;
         surroundings.begin(vx, vy, plane.recent().newestUs());
     }
 
@@ -67,7 +64,6 @@ final class TakingOver {
     private void begin() {
         taken.clear();
         hasHanded = false;
-        isOfPiece = false;
         stage = Stage.ASKING;
     }
 
@@ -104,7 +100,7 @@ final class TakingOver {
 
     /** Whether the structure is new, and a piece of the flow plane. */
     boolean isOfPiece() {
-        return isOfPiece;
+        return surroundings.isOfPiece();
     }
 
     /** Whether the next step has to wait until no other thread works with the structure. */
@@ -151,7 +147,9 @@ final class TakingOver {
             stage = Stage.OVER;
         } else {
             budget.letGo();
-            structure = surroundings.isOfTracked() ? structure : structures.create(plane.recent().newestUs(), vx, vy);
+            if (!surroundings.isOfTracked()) {
+                structure = structures.create(plane.recent().newestUs(), vx, vy);
+            }
             stage = Stage.HANDING;
         }
     }
