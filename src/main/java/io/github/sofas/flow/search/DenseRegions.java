@@ -104,6 +104,11 @@ final class DenseRegions {
         return count[region];
     }
 
+    /** Time of the first event of a region, in µs. */
+    long sinceUs(int region) {
+        return sinceUs[region];
+    }
+
     /** Number of the newest event of a region. */
     int newest(int region) {
         return newest[region];

@@ -55,7 +55,7 @@ final class RegionRefinement {
     private int region;
     private int newest;
     private int held;
-    /** The square that is fitted: its side in px and its place; and the time of the region's oldest event. */
+    /** The square that is fitted: its side in px and its place; and since when its events are held. */
     private int side;
     private int left;
     private int top;
@@ -70,6 +70,11 @@ final class RegionRefinement {
         this.events = events;
         this.fit = fit;
         climb = new VelocityClimb(fit);
+    }
+
+    /** Whether any region is due. */
+    boolean isAnyDue() {
+        return regions.isAnyDue();
     }
 
     /** Begins with the next region that is due; returns the number of events gone through. */
@@ -99,7 +104,8 @@ final class RegionRefinement {
         top = regions.top(region) + (DenseRegions.SIDE_PX - side) / 2;
         fit.clear();
         Arrays.fill(isFilled, false);
-        oldestUs = oldestUs();
+        // the recent events may no longer hold the first ones
+        oldestUs = Math.max(regions.sinceUs(region), events.timeUs(events.oldest()));
         windowS = (events.timeUs(newest) - oldestUs) * 1e-6;
         int event = newest;
         for (int k = 0; isHeld(k, event) && fit.size() < fit.capacity(); k++) {
@@ -138,16 +144,6 @@ final class RegionRefinement {
 
     private boolean isHeld(int k, int event) {
         return k < held && event - events.oldest() >= 0;
-    }
-
-    private long oldestUs() {
-        long oldest = events.timeUs(newest);
-        int event = newest;
-        for (int k = 0; isHeld(k, event); k++) {
-            oldest = events.timeUs(event);
-            event = regions.before(event);
-        }
-        return oldest;
     }
 
     /** Makes the next fit. */

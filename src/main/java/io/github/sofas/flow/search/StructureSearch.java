@@ -41,7 +41,6 @@ public final class StructureSearch {
     private final long[] refusedUntil;
     private final Pieces pieces;
     private final PieceRefinement refinement;
-    private final DenseRegions regions;
     private final RegionRefinement ofRegion;
     private final Recognition recognition;
     private final TakingOver takingOver;
@@ -89,8 +88,7 @@ public final class StructureSearch {
         refusedUntil = new long[n * n];
         pieces = new Pieces(plane);
         refinement = new PieceRefinement(fit, p);
-        regions = plane.regions();
-        ofRegion = new RegionRefinement(regions, plane.recent(), fit);
+        ofRegion = new RegionRefinement(plane.regions(), plane.recent(), fit);
         recognition = new Recognition(structures, events);
         taken = new TakenEvents(plane);
         takingOver = new TakingOver(plane, fit, structures, taken, budget);
@@ -152,7 +150,7 @@ public final class StructureSearch {
     /** Whether a look is under way or due, and can continue. */
     private boolean isBusy() {
         if (stage == Stage.IDLE) {
-            return plane.total() >= nextLook || regions.isAnyDue() || mayBeSpread && takingOver.isAnyDue();
+            return plane.total() >= nextLook || ofRegion.isAnyDue() || mayBeSpread && takingOver.isAnyDue();
         }
         return stage != Stage.TAKING_OVER || mayBeSpread || !takingOver.waits();
     }
@@ -184,7 +182,7 @@ public final class StructureSearch {
         if (mayBeSpread && spreadsOn()) {
             return;
         }
-        if (regions.isAnyDue()) {
+        if (ofRegion.isAnyDue()) {
             budget.spend(ofRegion.begin() / Surroundings.EVENTS_PER_VOTE);
             stage = Stage.MEASURING_REGION;
         } else if (plane.total() >= nextLook) {
