@@ -108,6 +108,21 @@ public class TurningBackTest {
     }
 
     @Test
+    public void whatTheBorderCutsOffAndStopsAndGoesBackIsFollowedByItsSegment() {
+        int followed = 0;
+        int moments = 12;
+        for (int i = 0; i < moments; i++) {
+            double stopsS = 1.2 + 0.0131 * i;
+            double goesBackS = stopsS + 0.2;
+            Followed its = new Followed(timeS -> timeS < stopsS ? PX_PER_S : timeS > goesBackS ? -PX_PER_S : 0);
+            DiscFilm.show(DiscFilm.NARROW, timeS -> 40 + PX_PER_S * (Math.min(timeS, stopsS)
+                - Math.max(0, timeS - goesBackS)), goesBackS + 0.3, STEP_S, its);
+            followed += its.share() > 0.9 ? 1 : 0;
+        }
+        assertTrue("followed in " + followed, followed >= 11);
+    }
+
+    @Test
     public void whatIsSeenInFramesDoesNotStandBetweenThem() {
         Followed followed = new Followed(timeS -> PX_PER_S);
         // two px from one to the next

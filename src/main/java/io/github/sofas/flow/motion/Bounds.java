@@ -47,6 +47,15 @@ public final class Bounds {
             && top <= other.bottom + gapPx && other.top <= bottom + gapPx;
     }
 
+    /** Share of the pixels of this box that lie on a sensor; the places are centres of pixels. */
+    public double shareOn(int sensorWidth, int sensorHeight) {
+        return shareOn(left, right, sensorWidth) * shareOn(top, bottom, sensorHeight);
+    }
+
+    private static double shareOn(double from, double to, int side) {
+        return Math.max(0, Math.min(to, side - 1) - Math.max(from, 0) + 1) / (to - from + 1);
+    }
+
     /** Least x of the places. */
     public double left() {
         return left;

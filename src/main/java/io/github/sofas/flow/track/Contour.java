@@ -21,8 +21,8 @@ final class Contour {
     static final double REDRAWN_PX = 0.5;
     /** Extra room around the box of {@link #reach}, for the steps of the frame and for rounding, in px. */
     private static final double REACH_ROOM_PX = 1;
-    /** Distance from the border of the sensor within which the border may cut off the contour, in px. */
-    private static final double BORDER_PX = 2;
+    /** Least share of the contour's box on the sensor of what is in sight: the border hides few of its events. */
+    private static final double IN_SIGHT = 0.8;
     /** Step, in px, by which live events are projected onto the contour. */
     static final double PROJECTED_STEP_PX = 1.0 / 16;
     /** Step, in px, of the search for more of the contour ahead of a place. */
@@ -350,11 +350,12 @@ final class Contour {
         return box(nowUs).isWithin(gap, other.box(nowUs));
     }
 
-    /** Whether the whole contour lies on the sensor, and not so near the border that more of it may lie beyond. */
-    boolean isInside(long nowUs) {
-        Bounds its = box(nowUs);
-        return !isEmpty() && its.left() > BORDER_PX && its.top() > BORDER_PX
-            && its.right() < sensorWidth - 1 - BORDER_PX && its.bottom() < sensorHeight - 1 - BORDER_PX;
+    /**
+     * Whether most of the contour lies on the sensor, by its box: what fills the picture, as a wall or a digit on a
+     * small sensor does, always reaches beyond.
+     */
+    boolean isInSight(long nowUs) {
+        return !isEmpty() && box(nowUs).shareOn(sensorWidth, sensorHeight) >= IN_SIGHT;
     }
 
     /** Whether the whole contour lies beyond the sensor. */

@@ -153,8 +153,8 @@ final class Recentring {
     }
 
     /** Corrects a motion by how its events thin out, as {@link SpeedByEvents} does; returns whether it did. */
-    boolean correctSpeed(Motion motion, double radius, boolean inFullView, MetricFit fit, long nowUs) {
-        boolean isCorrected = byEvents.correct(motion, live, radius, inFullView, measurement, fit, nowUs);
+    boolean correctSpeed(Motion motion, double radius, boolean inView, MetricFit fit, long nowUs) {
+        boolean isCorrected = byEvents.correct(motion, live, radius, inView, measurement, fit, nowUs);
         if (isCorrected) {
             followLifetime(motion, radius);
         }
@@ -162,8 +162,8 @@ final class Recentring {
     }
 
     /** The time since which the structure is at rest; {@link Rest#NEVER} where it is not. */
-    long restsSinceUs(Motion motion, double radius, boolean inFullView, long nowUs) {
-        return rest.sinceUs(motion, live, density, radius, inFullView, nowUs);
+    long restsSinceUs(Motion motion, double radius, boolean inView, long nowUs) {
+        return rest.sinceUs(motion, live, density, radius, inView, nowUs);
     }
 
     /** Drops all events of a structure that has come to rest, and waits for the events by which it sets off. */

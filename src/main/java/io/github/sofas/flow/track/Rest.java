@@ -7,8 +7,8 @@ import io.github.sofas.flow.motion.Motion;
  *
  * <p>Ours, because a structure at rest fires no events that could show it. As it slowed down, it was expected to turn
  * back or to go on, and once it set off again it was found anew. A structure that goes behind another fires no events
- * either. So only two kinds of structure are taken to rest. One is in full view, and its events end sooner than a
- * border could hide it. The other was expected to turn back just now.
+ * either. So only two kinds of structure are taken to rest. One is in view, and its events end sooner than the
+ * border of the sensor could hide it. The other was expected to turn back just now.
  */
 final class Rest {
     /** Stands for a structure that has not come to rest. */
@@ -36,9 +36,9 @@ final class Rest {
      * @param live the structure's events
      * @param density of the events that the structure usually gives
      * @param radius of the structure in px
-     * @param inFullView whether no other structure hides it, and the border of the sensor does not cut it off
+     * @param inView whether no other structure hides it, and the border of the sensor cuts off little of it
      */
-    long sinceUs(Motion motion, LiveEvents live, EventDensity density, double radius, boolean inFullView,
+    long sinceUs(Motion motion, LiveEvents live, EventDensity density, double radius, boolean inView,
                  long nowUs) {
         int newest = density.usually(live, SHARE);
         if (newest < LEAST_EVENTS || live.size() == 0) {
@@ -50,7 +50,7 @@ final class Rest {
             return NEVER;
         }
         turn.take(motion, nowUs);
-        return inFullView || turn.isAfter(sinceUs) ? sinceUs : NEVER;
+        return inView || turn.isAfter(sinceUs) ? sinceUs : NEVER;
     }
 
     /** The longest time that so many successive events took. */

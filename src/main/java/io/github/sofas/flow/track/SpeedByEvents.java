@@ -12,7 +12,7 @@ import io.github.sofas.flow.motion.Motion;
  * correction it is expected to turn back where it does, and its events show whether it does or stays.
  *
  * <p>Events also become fewer where something hides the structure, or where its path bends. A motion that is not known
- * to change its speed is therefore corrected only for a structure in full view, and only if the metric agrees. No
+ * to change its speed is therefore corrected only for a structure in view, and only if the metric agrees. No
  * motion is made faster, since more events may be those of something else.
  */
 final class SpeedByEvents {
@@ -42,10 +42,10 @@ final class SpeedByEvents {
      * @param motion gets now as its reference if it is corrected
      * @param live the structure's events
      * @param radius of the structure in px
-     * @param inFullView whether nothing hides the structure, and the border of the sensor does not cut it off
+     * @param inView whether nothing hides the structure, and the border of the sensor cuts off little of it
      * @return whether it was corrected
      */
-    boolean correct(Motion motion, LiveEvents live, double radius, boolean inFullView, Measurement measurement,
+    boolean correct(Motion motion, LiveEvents live, double radius, boolean inView, Measurement measurement,
                     MetricFit fit, long nowUs) {
         if (live.size() < Measurement.LEAST_EVENTS) {
             return false;
@@ -59,7 +59,7 @@ final class SpeedByEvents {
         double along = (motion.ax * motion.vx + motion.ay * motion.vy) / Math.hypot(motion.vx, motion.vy);
         boolean changesSpeed = Math.abs(along) * half * half / 2 > LEAST_BEND_PX;
         boolean isSlower = changesSpeed && share < (along < 0 ? SLOWING_SHARE : SPEEDING_SHARE)
-            || inFullView && share < STEADY_SHARE && isSharper(motion, live, radius, measurement, fit, nowUs);
+            || inView && share < STEADY_SHARE && isSharper(motion, live, radius, measurement, fit, nowUs);
         if (isSlower) {
             motion.copyFrom(slower);
         }

@@ -252,11 +252,11 @@ public final class TrackPlane {
         if (!isVelocityKnown()) {
             return;
         }
-        boolean inFullView = !isHidden && contour.isInside(nowUs);
-        long restsSinceUs = recentring.restsSinceUs(motion, contour.radius(), inFullView, nowUs);
+        boolean inView = !isHidden && contour.isInSight(nowUs);
+        long restsSinceUs = recentring.restsSinceUs(motion, contour.radius(), inView, nowUs);
         if (restsSinceUs != Rest.NEVER) {
             rest(restsSinceUs, nowUs);
-        } else if (recentring.correctSpeed(motion, contour.radius(), inFullView, fit, nowUs)) {
+        } else if (recentring.correctSpeed(motion, contour.radius(), inView, fit, nowUs)) {
             contour.follow(motion);
         }
     }

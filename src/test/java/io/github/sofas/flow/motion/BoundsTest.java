@@ -49,6 +49,18 @@ public class BoundsTest {
     }
 
     @Test
+    public void shareOnASensorIsThatOfThePixels() {
+        bounds.set(2, 3, 5, 3);
+        assertEquals("four pixels in a row", 1, bounds.shareOn(10, 10), 0);
+        assertEquals("two of them", 0.5, bounds.shareOn(4, 10), 0);
+        assertEquals("no row", 0, bounds.shareOn(10, 3), 0);
+        bounds.set(-2, -5, 1, 4);
+        assertEquals("half of each side", 0.25, bounds.shareOn(10, 10), 0);
+        bounds.set(12, 3, 14, 4);
+        assertEquals("beyond", 0, bounds.shareOn(10, 10), 0);
+    }
+
+    @Test
     public void boxesAreApartByTheGreaterOfTheirTwoGaps() {
         bounds.set(10, 20, 14, 30);
         Bounds other = new Bounds();

@@ -56,14 +56,15 @@ public class ContourTest {
     }
 
     @Test
-    public void contourIsInsideMoreThanTwoPixelsFromTheBorderAndHasLeftBeyondIt() {
+    public void contourIsInSightWithFourFifthsOfItsBoxAndHasLeftBeyondTheBorder() {
         start(-100, 0);
-        assertFalse("nothing is anywhere", contour.isInside(0));
+        assertFalse("nothing is anywhere", contour.isInSight(0));
         assertFalse(contour.hasLeft(0));
         // columns 3 to 7
         addBlock(3, 40, 5);
-        assertTrue(contour.isInside(0));
-        assertFalse("from column 2 on", contour.isInside(10_000));
+        assertTrue(contour.isInSight(0));
+        assertTrue("from column -0.9 on", contour.isInSight(39_000));
+        assertFalse("from column -1.1 on", contour.isInSight(41_000));
         assertFalse("up to column 0", contour.hasLeft(70_000));
         assertTrue(contour.hasLeft(80_000));
     }

@@ -32,8 +32,8 @@ public class RestTest {
         return live;
     }
 
-    private long sinceUs(LiveEvents live, boolean inFullView, long nowUs) {
-        return rest.sinceUs(motion, live, density, 0, inFullView, nowUs);
+    private long sinceUs(LiveEvents live, boolean inView, long nowUs) {
+        return rest.sinceUs(motion, live, density, 0, inView, nowUs);
     }
 
     @Test

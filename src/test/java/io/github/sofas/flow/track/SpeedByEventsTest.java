@@ -21,10 +21,10 @@ public class SpeedByEventsTest {
     private final Motion motion = new Motion();
     private final Measurement measurement = new Measurement(SofasParameters.defaults().track());
     private final MetricFit fit = new MetricFit(100, 100, MetricFit.CELL_PX, 4096, 1000);
-    private boolean inFullView = true;
+    private boolean inView = true;
 
     private boolean correct(LiveEvents live) {
-        return byEvents.correct(motion, live, 0, inFullView, measurement, fit, NOW_US);
+        return byEvents.correct(motion, live, 0, inView, measurement, fit, NOW_US);
     }
 
     /** So many events, one each so many µs at first, of which the newest 50 begin some time before now. */
@@ -106,7 +106,7 @@ public class SpeedByEventsTest {
         assertEquals(50 * 0.5 / (50 * 0.04472), motion.vx, PX);
         assertEquals(50, midVx(), PX);
         moves(0);
-        inFullView = false;
+        inView = false;
         assertFalse("it may be hidden", correct(edge(0, 0.01056, 0.02254, 0.03675, 0.05528)));
     }
 
