@@ -2,6 +2,7 @@ package io.github.sofas.flow.smooth;
 
 import io.github.sofas.flow.motion.Deformation;
 import io.github.sofas.flow.motion.Motion;
+import io.github.sofas.flow.motion.PixelBox;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -21,8 +22,13 @@ final class SegmentPath {
     private static final double REFINED_EVERY_PX = 4;
     /** Speed of a segment at rest. */
     private static final double LEAST_PX_PER_S = 1e-3;
-    /** Travel and time on either side over which motions are averaged, and samples per side. */
+    /**
+     * Most travel and time on either side over which motions are averaged, and samples per side. Less where so many
+     * events come sooner: those of a short window show a motion well, and what swings is slower in the mean.
+     */
     private static final double AVERAGED_PX = 4;
+    private static final double LEAST_AVERAGED_PX = 1;
+    private static final int AVERAGED_EVENTS = 2000;
     private static final long MOST_AVERAGED_US = 150_000;
     private static final int SAMPLES = 8;
     /** Events from which on a shorter window shows the motion, as is needed where a structure slows down to reverse. */
@@ -53,6 +59,8 @@ final class SegmentPath {
     private long sureUntilUs = Long.MIN_VALUE;
     /** Approximate root mean square distance of its events from their middle, where they were looked at last. */
     private double radius;
+    /** Time in which an event comes there, in µs. */
+    private double perEventUs = Double.POSITIVE_INFINITY;
     /** The motion that was asked for last. */
     private final Motion steady = new Motion();
     private final Motion before = new Motion();
@@ -204,7 +212,9 @@ final class SegmentPath {
      * segment may be reversing.
      */
     void refine(Slice slice, long mostSideUs, Refinement refinement) {
-        radius = slice.box(id).radius();
+        PixelBox box = slice.box(id);
+        radius = box.radius();
+        perEventUs = (double) (slice.untilUs - slice.fromUs) / box.events;
         for (int k = knotsUntil(slice.fromUs - 1); k < knots.size() && knots.get(k).referenceUs < slice.untilUs; k++) {
             Motion knot = knots.get(k);
             double speed = Math.max(knot.speed(radius), LEAST_PX_PER_S);
@@ -291,7 +301,9 @@ final class SegmentPath {
     /** Averages the motion about a time, near times counting most, over as much of both sides as has knots. */
     private void average(long us) {
         at(us, steady);
-        double travelUs = AVERAGED_PX / Math.max(steady.speed(radius), LEAST_PX_PER_S) * 1e6;
+        double pxUs = 1e6 / Math.max(steady.speed(radius), LEAST_PX_PER_S);
+        double travelUs = Math.min(AVERAGED_PX * pxUs,
+            Math.max(LEAST_AVERAGED_PX * pxUs, AVERAGED_EVENTS * perEventUs));
         long known = Math.min(us - first().referenceUs, last().referenceUs - us);
         double sideUs = Math.min(Math.min(travelUs, MOST_AVERAGED_US), known);
         if (sideUs <= 0) {

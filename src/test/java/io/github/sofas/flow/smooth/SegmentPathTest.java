@@ -325,6 +325,30 @@ public class SegmentPathTest {
     }
 
     @Test
+    public void averageIsOverLessTravelWhereManyEventsShowTheMotion() {
+        // 100 to 200 px/s in 0.5 s, and back: the mean about the peak is less by 200 px/s² times 0.328 of either side
+        path.add(motion(0, 100, 0));
+        path.add(motion(500_000, 200, 75));
+        path.add(motion(1_000_000, 100, 150));
+        assertEquals("4 px, 20 ms", 198.69, path.about(500_000, 2).vx, 0.01);
+        assertEquals("2,000 events in 40 ms", 198.69, aboutPeak(25_000), 0.01);
+        assertEquals("in 10 ms, 2 px", 199.34, aboutPeak(100_000), 0.01);
+        assertEquals("in 2 ms, but 1 px at least, 5 ms", 199.67, aboutPeak(500_000), 0.01);
+    }
+
+    /** Mean speed about the peak, with so many events in the half second around it. */
+    private double aboutPeak(int events) {
+        EventWindow window = new EventWindow();
+        for (int k = 0; k < events; k++) {
+            window.give(window.add(250_000 + 500_000L * k / events, 0, 20 + k % 40, 10, 1), 1, 1);
+        }
+        path.refine(new Slice(window, new SensorSize(96, 64), 0, 250_000, 750_000, 0), 1_000_000,
+            (us, sideUs, least) -> null);
+        path.about(0, 2);
+        return path.about(500_000, 2).vx;
+    }
+
+    @Test
     public void nothingIsAveragedBeforeTheFirstAndAfterTheLastMeasurement() {
         path.add(motion(100_000, 100, 0));
         path.add(motion(200_000, 200, 15));
