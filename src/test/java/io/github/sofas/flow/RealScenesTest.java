@@ -6,6 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.Skipped;
 import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
 import io.github.sofas.recording.RecordingOptions;
 import io.github.sofas.recording.RecordingReader;
 import io.github.sofas.recording.Recordings;
@@ -16,6 +17,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.junit.Before;
 import org.junit.Test;
 
@@ -60,20 +62,24 @@ public class RealScenesTest {
 
     /** Labels the batches of a recording that begin before a time. */
     private void run(String name, String chip, SofasParameters parameters, double untilS) throws Exception {
+        run(name, chip, sensor -> Labelling.atOnce(new Sofas(sensor, parameters)), untilS);
+    }
+
+    private void run(String name, String chip, Function<SensorSize, Labelling> labelling, double untilS)
+            throws Exception {
         events = 0;
         labelled.clear();
         try (RecordingReader reader = Recordings.open(FOLDER.resolve(name),
                 RecordingOptions.defaults().withChip(chip))) {
-            Sofas sofas = new Sofas(reader.sensor(), parameters);
+            LabelledSource source = new LabelledSource(reader, labelling.apply(reader.sensor()));
             EventBatch batch = new EventBatch(4096);
             FlowOutput flow = new FlowOutput(4096);
             long firstUs = Long.MAX_VALUE;
-            while (reader.next(batch)) {
+            while (source.next(batch, flow)) {
                 firstUs = Math.min(firstUs, batch.timeUs[0]);
                 if ((batch.timeUs[0] - firstUs) * 1e-6 >= untilS) {
                     break;
                 }
-                sofas.process(batch, flow);
                 for (int i = 0; i < batch.size(); i++) {
                     events++;
                     if (flow.segment[i] != 0) {
@@ -230,5 +236,24 @@ public class RealScenesTest {
         assertTrue(name + " found after " + travelPx + " px", travelPx < 4);
         double off = Math.hypot(medianVx(labelled) - vx, medianVy(labelled) - vy);
         assertTrue(name + " is off by " + off + " px/s", off < 0.15 * speed);
+    }
+
+    /** Three saccades of 105 ms, each with a pause; the ways in px are those of the README of the recordings. */
+    @Test
+    public void digitsMoveAsTheCameraJumps() throws Exception {
+        double[][] ways = {{3.5, 7}, {3.5, -7}, {-7, 0}};
+        for (String name : new String[] {"nmnist.bin", "nmnist-1.bin", "nmnist-2.bin"}) {
+            run(name, "34x34", sensor -> new SmoothedSofas(sensor, SofasParameters.defaults(), 200_000),
+                Double.POSITIVE_INFINITY);
+            assertTrue(name + " share " + shareWithFlow(), shareWithFlow() >= 0.9);
+            for (int saccade = 0; saccade < ways.length; saccade++) {
+                List<Labelled> its = between(0.105 * saccade, 0.105 * (saccade + 1), 0, 34);
+                double vx = its.stream().mapToDouble(e -> e.vx).average().orElseThrow();
+                double vy = its.stream().mapToDouble(e -> e.vy).average().orElseThrow();
+                double[] way = ways[saccade];
+                double offDeg = Math.toDegrees(Math.atan2(vy * way[0] - vx * way[1], vx * way[0] + vy * way[1]));
+                assertEquals(name + ", saccade " + saccade, 0, offDeg, 20);
+            }
+        }
     }
 }

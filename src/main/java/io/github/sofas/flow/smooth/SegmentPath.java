@@ -22,14 +22,15 @@ final class SegmentPath {
     private static final double REFINED_EVERY_PX = 4;
     /** Speed of a segment at rest. */
     private static final double LEAST_PX_PER_S = 1e-3;
-    /**
-     * Most travel and time on either side over which motions are averaged, and samples per side. Less where so many
-     * events come sooner: those of a short window show a motion well, and what swings is slower in the mean.
-     */
+    /** Most and least travel, and most time, on either side over which motions are averaged, and samples per side. */
     private static final double AVERAGED_PX = 4;
     private static final double LEAST_AVERAGED_PX = 1;
-    private static final int AVERAGED_EVENTS = 2000;
     private static final long MOST_AVERAGED_US = 150_000;
+    /**
+     * Events of a side from which on its travel may be shorter: so many show a motion well, and what swings is slower
+     * in the mean.
+     */
+    private static final int AVERAGED_EVENTS = 2000;
     private static final int SAMPLES = 8;
     /** Events from which on a shorter window shows the motion, as is needed where a structure slows down to reverse. */
     private static final int MANY_EVENTS = 1000;

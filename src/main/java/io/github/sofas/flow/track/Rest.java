@@ -7,8 +7,8 @@ import io.github.sofas.flow.motion.Motion;
  *
  * <p>Ours, because a structure at rest fires no events that could show it. As it slowed down, it was expected to turn
  * back or to go on, and once it set off again it was found anew. A structure that goes behind another fires no events
- * either. So only two kinds of structure are taken to rest. One is in view, and its events end sooner than the
- * border of the sensor could hide it. The other was expected to turn back just now.
+ * either. So only two kinds of structure are taken to rest. One is in view, and its events end sooner than the border
+ * of the sensor could hide it. The other was expected to turn back just now.
  */
 final class Rest {
     /** Stands for a structure that has not come to rest. */

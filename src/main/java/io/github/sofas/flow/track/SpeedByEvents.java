@@ -12,8 +12,8 @@ import io.github.sofas.flow.motion.Motion;
  * correction it is expected to turn back where it does, and its events show whether it does or stays.
  *
  * <p>Events also become fewer where something hides the structure, or where its path bends. A motion that is not known
- * to change its speed is therefore corrected only for a structure in view, and only if the metric agrees. No
- * motion is made faster, since more events may be those of something else.
+ * to change its speed is therefore corrected only for a structure in view, and only if the metric agrees. No motion is
+ * made faster, since more events may be those of something else.
  */
 final class SpeedByEvents {
     /** Shift of the ends of the window by the acceleration along the motion, in px, above which the speed changes. */
