@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 
 /** A disc that moves along the middle row of a sensor, and the labels that its events get. */
 final class DiscFilm {
-    private static final SensorSize SENSOR = new SensorSize(200, 64);
+    static final SensorSize SENSOR = new SensorSize(200, 64);
     /** A sensor whose border cuts off the top and the bottom of the disc. */
     static final SensorSize NARROW = new SensorSize(200, 30);
     private static final double RADIUS_PX = 16;

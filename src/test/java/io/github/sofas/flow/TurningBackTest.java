@@ -3,6 +3,7 @@ package io.github.sofas.flow;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import io.github.sofas.event.SensorSize;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.Test;
 
@@ -91,34 +92,33 @@ public class TurningBackTest {
         assertEquals("px/s off", 0, followed.offPxPerS(), 10);
     }
 
-    @Test
-    public void whatStopsWithinAPixelAndGoesOnIsFollowedByItsSegment() {
-        // one moment shows little: where its edges stop within their px tells how its first events come
+    /**
+     * How often a disc that stops at once, at one of several moments, and sets off at once after a pause is followed.
+     * One moment shows little: where its edges stop within their px tells how its first events come.
+     */
+    private static int followedOfStopping(SensorSize sensor, int moments, double pauseS, int direction) {
         int followed = 0;
-        int moments = 24;
         for (int i = 0; i < moments; i++) {
             double stopsS = 1.2 + 0.0131 * i;
-            double goesOnS = stopsS + 0.4;
-            Followed its = new Followed(timeS -> timeS < stopsS || timeS > goesOnS ? PX_PER_S : 0);
-            DiscFilm.show(timeS -> 40 + PX_PER_S * (Math.min(timeS, stopsS) + Math.max(0, timeS - goesOnS)),
-                goesOnS + 0.3, STEP_S, its);
+            double setsOffS = stopsS + pauseS;
+            Followed its = new Followed(timeS -> timeS < stopsS ? PX_PER_S
+                : timeS > setsOffS ? direction * PX_PER_S : 0);
+            DiscFilm.show(sensor, timeS -> 40 + PX_PER_S * (Math.min(timeS, stopsS)
+                + direction * Math.max(0, timeS - setsOffS)), setsOffS + 0.3, STEP_S, its);
             followed += its.share() > 0.9 ? 1 : 0;
         }
+        return followed;
+    }
+
+    @Test
+    public void whatStopsWithinAPixelAndGoesOnIsFollowedByItsSegment() {
+        int followed = followedOfStopping(DiscFilm.SENSOR, 24, 0.4, 1);
         assertTrue("followed in " + followed, followed >= 22);
     }
 
     @Test
     public void whatTheBorderCutsOffAndStopsAndGoesBackIsFollowedByItsSegment() {
-        int followed = 0;
-        int moments = 12;
-        for (int i = 0; i < moments; i++) {
-            double stopsS = 1.2 + 0.0131 * i;
-            double goesBackS = stopsS + 0.2;
-            Followed its = new Followed(timeS -> timeS < stopsS ? PX_PER_S : timeS > goesBackS ? -PX_PER_S : 0);
-            DiscFilm.show(DiscFilm.NARROW, timeS -> 40 + PX_PER_S * (Math.min(timeS, stopsS)
-                - Math.max(0, timeS - goesBackS)), goesBackS + 0.3, STEP_S, its);
-            followed += its.share() > 0.9 ? 1 : 0;
-        }
+        int followed = followedOfStopping(DiscFilm.NARROW, 12, 0.2, -1);
         assertTrue("followed in " + followed, followed >= 11);
     }
 

@@ -22,7 +22,7 @@ final class DenseRegions {
     /** Most events of a region: more than texture gives in 5 px of travel. Then the region begins anew. */
     private static final int MOST = 3 * AREA;
     /** Longest time for which a region gathers events: in a longer one, a swing to and fro looks like a drift. */
-    private static final long LONGEST_US = 200_000;
+    static final long LONGEST_US = 200_000;
 
     private final RecentEvents events;
     private final int columns;

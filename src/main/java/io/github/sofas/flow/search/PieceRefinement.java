@@ -47,11 +47,8 @@ final class PieceRefinement {
     private static final double LEAST_SIGMAS = 6;
     /** Least metric per event of a piece that shows its velocity by many events. */
     private static final double LEAST_DENSITY = 0.7;
-    /**
-     * Longest window of a piece that shows its velocity by many events: in a longer one, a swing to and fro looks like
-     * a drift.
-     */
-    private static final double SHOWN_WITHIN_S = 0.2;
+    /** Longest window of a piece that shows its velocity by many events: as that of a region, and for its reason. */
+    private static final double SHOWN_WITHIN_S = DenseRegions.LONGEST_US / 1e6;
 
     private enum Stage { BEST, SLOWEST, OVER }
 
