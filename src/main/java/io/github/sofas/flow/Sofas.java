@@ -95,7 +95,7 @@ public final class Sofas implements EventLabeller {
      * and of 32 px around it; 4 for each of (w + 24) (h + 24) pixels, 33 for each cell of 8 x 8 px of the sensor and of
      * 16 px around it, and 39 for each of 16,384 events; and for each track plane, and one more, 4 bytes for each of
      * (w + 48) (h + 48) cells and 5 for each of (w/2 + 7) (h/2 + 7), rounded up to powers of two, 18 for each of its
-     * 32,768 live events at most, and 41,000 for the places that it was at and what it looked like there.
+     * 32,768 live events at most, and 42,000 for the places that it was at, what it looked like there, and its pace.
      *
      * <p>{@code paper}: 2 bytes for each cell of the n² accumulators, whose sides are those of the sensor and the
      * travel during the lifespan, rounded up to powers of two, at most 4,096; 9 for each cell of the plane that a

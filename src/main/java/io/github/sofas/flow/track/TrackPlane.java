@@ -43,6 +43,7 @@ public final class TrackPlane {
     private final Turn turn = new Turn();
     private final Recentring recentring;
     private final MeasuredMotion measured;
+    private final Pace pace = new Pace();
     private final Wholeness wholeness = new Wholeness();
     private final Life life = new Life();
     private final Companion companion = new Companion();
@@ -62,7 +63,7 @@ public final class TrackPlane {
 
     /** The most bytes that the arrays of a plane take. */
     static long mostBytes(SensorSize sensor) {
-        return Outline.bytes(sensor) + LiveEvents.BYTES;
+        return Outline.bytes(sensor) + LiveEvents.BYTES + Pace.BYTES;
     }
 
     /**
@@ -76,6 +77,7 @@ public final class TrackPlane {
         adrift = false;
         life.start(nowUs);
         measured.start(vx, vy);
+        pace.start();
         motion.set(nowUs, vx, vy);
         outline.start(motion, noise);
         recentring.start(nowUs);
@@ -103,6 +105,11 @@ public final class TrackPlane {
     /** The motion of the structure. */
     public Motion motion() {
         return motion;
+    }
+
+    /** What velocities along the motion are to be multiplied by, because the structure is faster or slower by now. */
+    double pace() {
+        return pace.factor();
     }
 
     /** How the motion was measured, and what is known of it. */
@@ -279,6 +286,7 @@ public final class TrackPlane {
      */
     Life.State update(long nowUs, double noise) {
         recentring.goOn(nowUs);
+        lookAtPace(nowUs);
         turn.take(motion, nowUs);
         outline.pass(nowUs, noise, turn.isNear(lifetimeUs()), lifetimeUs());
         recentring.followDensity(motion, contour.radius(), nowUs);
@@ -304,8 +312,15 @@ public final class TrackPlane {
         before.moveReference(nowUs);
         if (recentring.measure(motion, before, contour.radius(), fit, nowUs)) {
             measured.take(motion);
+            pace.learn(motion, contour.radius(), nowUs);
         }
         carryOn(nowUs);
+        lookAtPace(nowUs);
+    }
+
+    /** Looks at how fast the structure is now, along the motion as it is known now. */
+    private void lookAtPace(long nowUs) {
+        pace.look(motion, recentring.live(), contour.radius(), lifetimeUs(), nowUs);
     }
 
     /** Continues along the motion as it is known now. */

@@ -130,7 +130,9 @@ public final class TrackPlaneStack {
             return false;
         }
         if (best.isPredictive()) {
-            write(output, i, best.id(), best.motion().vxAt(x, y, timeUs), best.motion().vyAt(x, y, timeUs));
+            float pace = (float) best.pace();
+            write(output, i, best.id(), pace * best.motion().vxAt(x, y, timeUs),
+                pace * best.motion().vyAt(x, y, timeUs));
         } else {
             write(output, i, 0, 0, 0);
         }
