@@ -19,7 +19,7 @@ import io.github.sofas.flow.motion.Motion;
  * window.
  *
  * <p>This class begins, follows, parts, merges and ends a structure. The details are in {@link Recentring},
- * {@link MeasuredMotion}, {@link Outline}, {@link Wholeness} and {@link Life}.
+ * {@link MeasuredMotion}, {@link Pace}, {@link Outline}, {@link Wholeness} and {@link Life}.
  */
 public final class TrackPlane {
     /**
