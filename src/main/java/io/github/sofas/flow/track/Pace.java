@@ -89,7 +89,9 @@ final class Pace {
     /** Looks at how fast the newest events came. */
     void look(Motion motion, LiveEvents live, double radius, long lifetimeUs, long nowUs) {
         factor = 1;
-        if (live.size() < 2 * LEAST_EVENTS) {
+        double belief = belief();
+        boolean isDue = looks == 0 || nowUs - us[(looks - 1) % LOOKS] >= lifetimeUs / LOOKS_PER_LIFETIME;
+        if (belief == 0 && !isDue || live.size() < 2 * LEAST_EVENTS) {
             return;
         }
         double px = travel.px(motion, radius, live.oldestUs(), nowUs);
@@ -100,7 +102,7 @@ final class Pace {
         double newestPx = travel.px(motion, radius, live.newestFromUs(newest), nowUs);
         double seen = logarithm(newest * px / (live.size() * newestPx));
         density = StrictMath.log(live.size() / px * live.thinning());
-        if (looks == 0 || nowUs - us[(looks - 1) % LOOKS] >= lifetimeUs / LOOKS_PER_LIFETIME) {
+        if (isDue) {
             now.copyFrom(motion);
             now.moveReference(nowUs);
             int i = looks++ % LOOKS;
@@ -108,7 +110,6 @@ final class Pace {
             speed[i] = (float) StrictMath.log(now.speed(radius));
             pace[i] = (float) seen;
         }
-        double belief = belief();
         if (belief > 0) {
             factor = StrictMath.exp(belief * (seen - paces / weight));
         }
