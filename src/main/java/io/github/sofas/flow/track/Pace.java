@@ -50,7 +50,7 @@ final class Pace {
     private final long[] us = new long[LOOKS];
     private final float[] speed = new float[LOOKS];
     private final float[] pace = new float[LOOKS];
-    private int looks;
+    private long looks;
     /** Logarithm of the present number of events per px. */
     private double density;
     private double factor = 1;
@@ -90,22 +90,21 @@ final class Pace {
     void look(Motion motion, LiveEvents live, double radius, long lifetimeUs, long nowUs) {
         factor = 1;
         double belief = belief();
-        boolean isDue = looks == 0 || nowUs - us[(looks - 1) % LOOKS] >= lifetimeUs / LOOKS_PER_LIFETIME;
+        boolean isDue = looks == 0 || nowUs - us[(int) ((looks - 1) % LOOKS)] >= lifetimeUs / LOOKS_PER_LIFETIME;
         if (belief == 0 && !isDue || live.size() < 2 * LEAST_EVENTS) {
             return;
         }
-        double px = travel.px(motion, radius, live.oldestUs(), nowUs);
-        int newest = (int) Math.max(LEAST_EVENTS, TRAVEL_PX / px * live.size());
+        double perPx = travel.eventsPerPx(motion, live, radius, nowUs);
+        int newest = (int) Math.max(LEAST_EVENTS, perPx * TRAVEL_PX);
         if (newest > live.size() / 2) {
             return;
         }
-        double newestPx = travel.px(motion, radius, live.newestFromUs(newest), nowUs);
-        double seen = logarithm(newest * px / (live.size() * newestPx));
-        density = StrictMath.log(live.size() / px * live.thinning());
+        double seen = logarithm(newest / perPx / travel.px(motion, radius, live.newestFromUs(newest), nowUs));
+        density = StrictMath.log(perPx * live.thinning());
         if (isDue) {
             now.copyFrom(motion);
             now.moveReference(nowUs);
-            int i = looks++ % LOOKS;
+            int i = (int) (looks++ % LOOKS);
             us[i] = nowUs;
             speed[i] = (float) StrictMath.log(now.speed(radius));
             pace[i] = (float) seen;

@@ -9,6 +9,11 @@ final class PastTravel {
 
     private final Motion past = new Motion();
 
+    /** The structure's events per px of its travel, over the time of its live events. */
+    double eventsPerPx(Motion motion, LiveEvents live, double radius, long nowUs) {
+        return live.size() / px(motion, radius, live.oldestUs(), nowUs);
+    }
+
     /**
      * Travel from a time until now, in px.
      *

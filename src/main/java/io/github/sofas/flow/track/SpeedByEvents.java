@@ -68,7 +68,7 @@ final class SpeedByEvents {
 
     /** Recent travel that the events indicate, as a share of that along the motion; 1 where the events are too few. */
     private double share(Motion motion, LiveEvents live, double radius, long nowUs) {
-        double perPx = live.size() / travel.px(motion, radius, live.oldestUs(), nowUs);
+        double perPx = travel.eventsPerPx(motion, live, radius, nowUs);
         int newest = (int) (perPx * TRAVEL_PX);
         return newest < LEAST_EVENTS || newest > live.size() ? 1
             : TRAVEL_PX / travel.px(motion, radius, live.newestFromUs(newest), nowUs);
