@@ -242,18 +242,35 @@ public class RealScenesTest {
     @Test
     public void digitsMoveAsTheCameraJumps() throws Exception {
         double[][] ways = {{3.5, 7}, {3.5, -7}, {-7, 0}};
-        for (String name : new String[] {"nmnist.bin", "nmnist-1.bin", "nmnist-2.bin"}) {
+        double[] shares = new double[ways.length];
+        String[] names = {"nmnist.bin", "nmnist-1.bin", "nmnist-2.bin"};
+        for (String name : names) {
             run(name, "34x34", sensor -> new SmoothedSofas(sensor, SofasParameters.defaults(), 200_000),
                 Double.POSITIVE_INFINITY);
             assertTrue(name + " share " + shareWithFlow(), shareWithFlow() >= 0.9);
             for (int saccade = 0; saccade < ways.length; saccade++) {
-                List<Labelled> its = between(0.105 * saccade, 0.105 * (saccade + 1), 0, 34);
-                double vx = its.stream().mapToDouble(e -> e.vx).average().orElseThrow();
-                double vy = its.stream().mapToDouble(e -> e.vy).average().orElseThrow();
                 double[] way = ways[saccade];
-                double offDeg = Math.toDegrees(Math.atan2(vy * way[0] - vx * way[1], vx * way[0] + vy * way[1]));
+                double[] seen = way(0.105 * saccade, 0.105 * (saccade + 1));
+                double offDeg = Math.toDegrees(Math.atan2(seen[1] * way[0] - seen[0] * way[1],
+                    seen[0] * way[0] + seen[1] * way[1]));
                 assertEquals(name + ", saccade " + saccade, 0, offDeg, 20);
+                shares[saccade] += Math.hypot(seen[0], seen[1]) / Math.hypot(way[0], way[1]) / names.length;
             }
         }
+        for (double share : shares) {
+            assertEquals("share of the way, mean of the digits", 1, share, 0.15);
+        }
+    }
+
+    /** Way in px from one time to another, in seconds: the mean velocity of each 5 ms that have events, summed. */
+    private double[] way(double fromS, double untilS) {
+        double[] way = new double[2];
+        int steps = (int) Math.round((untilS - fromS) / 0.005);
+        for (int step = 0; step < steps; step++) {
+            List<Labelled> its = between(fromS + 0.005 * step, fromS + 0.005 * (step + 1), 0, 34);
+            way[0] += 0.005 * its.stream().mapToDouble(e -> e.vx).average().orElse(0);
+            way[1] += 0.005 * its.stream().mapToDouble(e -> e.vy).average().orElse(0);
+        }
+        return way;
     }
 }

@@ -32,7 +32,7 @@ final class PathAlignment {
     private static final int WANTED_EVENTS = 14_000;
     private static final int MOST_EVENTS = 1 << 14;
     private static final int LEAST_EVENTS = 60;
-    private static final int ROUNDS = 3;
+    private static final int ROUNDS = 8;
     /** Least gain of the metric, in standard deviations; and the share of it that the first round must promise. */
     private static final double LEAST_SIGMAS = 1;
     private static final double FIRST_SHARE = 0.3;

@@ -22,16 +22,6 @@ final class SegmentPath {
     private static final double REFINED_EVERY_PX = 4;
     /** Speed of a segment at rest. */
     private static final double LEAST_PX_PER_S = 1e-3;
-    /** Most and least travel, and most time, on either side over which motions are averaged, and samples per side. */
-    private static final double AVERAGED_PX = 4;
-    private static final double LEAST_AVERAGED_PX = 1;
-    private static final long MOST_AVERAGED_US = 150_000;
-    /**
-     * Events of a side from which on its travel may be shorter: so many show a motion well, and what swings is slower
-     * in the mean.
-     */
-    private static final int AVERAGED_EVENTS = 2000;
-    private static final int SAMPLES = 8;
     /** Events from which on a shorter window shows the motion, as is needed where a structure slows down to reverse. */
     private static final int MANY_EVENTS = 1000;
     /** Shift by rotation and growth on either side, in px, below which nothing is measured anew. */
@@ -62,18 +52,13 @@ final class SegmentPath {
     private double radius;
     /** Time in which an event comes there, in µs. */
     private double perEventUs = Double.POSITIVE_INFINITY;
-    /** The motion that was asked for last. */
-    private final Motion steady = new Motion();
+    private final PathMean mean = new PathMean(this);
     private final Motion before = new Motion();
     private final Motion after = new Motion();
     private final Deformation deformation = new Deformation();
-    private final Deformation averaged = new Deformation();
-    private long steadyFromUs;
-    private long steadyUntilUs;
 
     SegmentPath(int id) {
         this.id = id;
-        forgetSteady();
     }
 
     int id() {
@@ -178,7 +163,7 @@ final class SegmentPath {
             }
         }
         newestUs = Math.max(newestUs, other.newestUs);
-        forgetSteady();
+        mean.forget();
     }
 
     /** Drops the knots that no time from a given one on needs. */
@@ -198,7 +183,7 @@ final class SegmentPath {
         }
         knots.add(knot);
         newestUs = Math.max(newestUs, knot.referenceUs);
-        forgetSteady();
+        mean.forget();
     }
 
     /** Measures the motion at a time over so many µs on either side; null if it cannot, or has too few events. */
@@ -218,7 +203,7 @@ final class SegmentPath {
         perEventUs = (double) (slice.untilUs - slice.fromUs) / box.events;
         for (int k = knotsUntil(slice.fromUs - 1); k < knots.size() && knots.get(k).referenceUs < slice.untilUs; k++) {
             Motion knot = knots.get(k);
-            double speed = Math.max(knot.speed(radius), LEAST_PX_PER_S);
+            double speed = speed(knot);
             long sideUs = refinedUs(speed, mostSideUs);
             double shift = Math.sqrt(knot.omega * knot.omega + knot.growth * knot.growth) * radius * sideUs * 1e-6;
             if (shift < LEAST_SHIFT_PX) {
@@ -257,17 +242,12 @@ final class SegmentPath {
         int k = knotsUntil(fromUs - 1);
         knots.subList(k, knotsUntil(untilUs - 1)).clear();
         knots.addAll(k, by);
-        forgetSteady();
+        mean.forget();
     }
 
     /** Whether its motion was ever measured. */
     boolean isMeasured() {
         return !knots.isEmpty();
-    }
-
-    private void forgetSteady() {
-        steadyFromUs = 1;
-        steadyUntilUs = 0;
     }
 
     /** Number of knots at a time or before. */
@@ -285,51 +265,19 @@ final class SegmentPath {
         return low;
     }
 
-    /**
-     * The motion in the middle of the block of time that contains a time, averaged over the knots on both sides. Two
-     * successive measurements have few events in common, and swing about the true motion. The next call changes the
-     * result.
-     */
+    /** The mean motion in the middle of the block of time that contains a time. The next call changes the result. */
     Motion about(long us, long blockUs) {
-        if (us < steadyFromUs || us >= steadyUntilUs) {
-            steadyFromUs = Math.floorDiv(us, blockUs) * blockUs;
-            steadyUntilUs = steadyFromUs + blockUs;
-            average(steadyFromUs + blockUs / 2);
-        }
-        return steady;
+        return mean.about(us, blockUs);
     }
 
-    /** Averages the motion about a time, near times counting most, over as much of both sides as has knots. */
-    private void average(long us) {
-        at(us, steady);
-        double pxUs = 1e6 / Math.max(steady.speed(radius), LEAST_PX_PER_S);
-        double travelUs = Math.min(AVERAGED_PX * pxUs,
-            Math.max(LEAST_AVERAGED_PX * pxUs, AVERAGED_EVENTS * perEventUs));
-        long known = Math.min(us - first().referenceUs, last().referenceUs - us);
-        double sideUs = Math.min(Math.min(travelUs, MOST_AVERAGED_US), known);
-        if (sideUs <= 0) {
-            return;
-        }
-        double vx = 0;
-        double vy = 0;
-        double omega = 0;
-        double growth = 0;
-        averaged.clear();
-        for (int k = 1 - SAMPLES; k < SAMPLES; k++) {
-            long fromUs = (long) (sideUs * k / SAMPLES);
-            at(us + fromUs, steady, before);
-            double weight = (double) (SAMPLES - Math.abs(k)) / (SAMPLES * SAMPLES);
-            vx += weight * before.vx;
-            vy += weight * before.vy;
-            omega += weight * before.omega;
-            growth += weight * before.growth;
-            averaged.add(before.deformation, weight);
-        }
-        steady.vx = vx;
-        steady.vy = vy;
-        steady.omega = omega;
-        steady.growth = growth;
-        steady.deformation.copyFrom(averaged);
+    /** Speed of a motion of the segment with its rotation and growth, in px/s; not 0. */
+    double speed(Motion motion) {
+        return Math.max(motion.speed(radius), LEAST_PX_PER_S);
+    }
+
+    /** Time in which an event comes, in µs. */
+    double perEventUs() {
+        return perEventUs;
     }
 
     /** The motion at a time. */
