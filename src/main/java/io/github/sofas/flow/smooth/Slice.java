@@ -288,6 +288,20 @@ final class Slice {
         return boxes.containsKey(segment);
     }
 
+    /** The segment that had most events when the slice was complete; 0 if none had any. */
+    int largest() {
+        int largest = 0;
+        int most = 0;
+        for (Map.Entry<Integer, PixelBox> box : boxes.entrySet()) {
+            int more = box.getValue().events - most;
+            if (more > 0 || more == 0 && box.getKey() < largest) {
+                largest = box.getKey();
+                most += more;
+            }
+        }
+        return largest;
+    }
+
     /** Box of the events of a segment; null if it has none. */
     PixelBox box(int segment) {
         return boxes.get(segment);

@@ -35,9 +35,12 @@ public final class Smoother {
     private static final int BYTES_PER_EVENT = 4;
     /** Blocks of a slice; over each, a motion is taken as steady. */
     private static final int BLOCKS = 32;
+    /** Most blocks of all slices: those of a short slice are of whole microseconds. */
+    private static final int MOST_BLOCKS = KEPT * 2 * BLOCKS;
 
     private final SensorSize sensor;
     private final long sliceUs;
+    private final long blockUs;
     private final EventWindow window = new EventWindow();
     private final List<Slice> slices = new ArrayList<>();
     /** By rising id, so that the order does not depend on hashes. */
@@ -47,6 +50,7 @@ public final class Smoother {
     private final CentredFit fit;
     private final PathAlignment alignment;
     private final WarpLoss warpLoss;
+    private final Tremor tremor;
     private final Labels labels = new Labels();
     private final KnownAgain knownAgain;
     private long sliceFrom;
@@ -72,6 +76,8 @@ public final class Smoother {
         fit = new CentredFit(sensor, window, p);
         alignment = new PathAlignment(sensor, window);
         warpLoss = new WarpLoss(sensor, window);
+        blockUs = Math.max(1, sliceUs / BLOCKS);
+        tremor = new Tremor(window, labels, blockUs, MOST_BLOCKS);
         knownAgain = new KnownAgain(sensor, window);
     }
 
@@ -84,7 +90,7 @@ public final class Smoother {
         return EventWindow.mostBytes(mostEvents) + (KEPT + 1) * Slice.mostBytes(sensor, MOST_EVENTS)
             + Competition.mostBytes(sensor, MOST_EVENTS) + CentredFit.bytes(sensor) + 2 * Picture.bytes(sensor)
             + PathAlignment.bytes(sensor) + WarpLoss.bytes(sensor) + NoiseRate.bytes(sensor)
-            + (long) BYTES_PER_EVENT * mostEvents;
+            + Tremor.bytes(MOST_BLOCKS) + (long) BYTES_PER_EVENT * mostEvents;
     }
 
     private int events() {
@@ -297,7 +303,7 @@ public final class Smoother {
     }
 
     private void settle(Slice slice) {
-        long blockUs = Math.max(1, sliceUs / BLOCKS);
+        tremor.look(paths.get(slice.largest()), slices, slice);
         SegmentPath path = null;
         for (long i = slice.from; i < slice.until; i++) {
             int k = window.at(i);
@@ -309,8 +315,9 @@ public final class Smoother {
                 }
                 if (path != null && path.isMeasured()) {
                     Motion motion = path.about(window.timeUs[k], blockUs);
-                    window.vxPxPerS[k] = motion.vxAt(window.x[k], window.y[k], window.timeUs[k]);
-                    window.vyPxPerS[k] = motion.vyAt(window.x[k], window.y[k], window.timeUs[k]);
+                    float pace = tremor.factor(window.label[k], window.timeUs[k]);
+                    window.vxPxPerS[k] = pace * motion.vxAt(window.x[k], window.y[k], window.timeUs[k]);
+                    window.vyPxPerS[k] = pace * motion.vyAt(window.x[k], window.y[k], window.timeUs[k]);
                 }
             }
         }

@@ -87,6 +87,17 @@ public class SliceTest {
     }
 
     @Test
+    public void largestSegmentHasMostEvents() {
+        assertEquals(0, slice().largest());
+        add(3, 40, 40, 7);
+        add(4, 40, 40, 9);
+        add(9, 40, 40, 0);
+        assertEquals(9, slice().largest());
+        add(1, 80, 40, 7);
+        assertEquals("the first of two", 7, slice().largest());
+    }
+
+    @Test
     public void tilesOfABoxAreOpenedAndThoseAroundAreNear() {
         add(90, 40, 40, 1);
         Slice slice = slice();
