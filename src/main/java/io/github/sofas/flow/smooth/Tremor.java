@@ -37,6 +37,9 @@ final class Tremor {
     private long sliceFromUs;
     private long fromUs;
     private int blocks;
+    /** First and last block with events, in which these begin and end. */
+    private int first;
+    private int last;
     // by block of time: events and travel before each, logarithms of the pace and of the usual events per px, what
     // variance the pace has by chance, how many blocks on either side show the usual number (0 if nothing shows), and
     // the factor
@@ -122,7 +125,12 @@ final class Tremor {
                 count(its, slices.get(k));
             }
         }
+        first = blocks;
         for (int block = 0; block < blocks; block++) {
+            if (events[block + 1] > 0) {
+                first = Math.min(first, block);
+                last = block;
+            }
             events[block + 1] += events[block];
         }
         return others <= OTHERS * own && own >= NEAR_EVENTS;
@@ -152,7 +160,7 @@ final class Tremor {
     private void compare(int block) {
         far[block] = 0;
         double px = travel[block + 1] - travel[block];
-        int known = Math.min(block, blocks - 1 - block);
+        int known = Math.min(block - first, last - block) - 1;
         int most = (int) Math.min(known, Math.min(FAR_PX / px, (double) FAR_US / blockUs));
         int near = (int) Math.max(1, NEAR_US / blockUs);
         while (near < most && sum(events, block, near) < NEAR_EVENTS) {
@@ -177,7 +185,7 @@ final class Tremor {
     private double belief(int block) {
         double paces = 0;
         double chances = 0;
-        double mean = 0;
+        double densities = 0;
         double squares = 0;
         int n = 0;
         for (int k = block - far[block]; k <= block + far[block]; k++) {
@@ -185,13 +193,13 @@ final class Tremor {
                 n++;
                 paces += pace[k] * pace[k];
                 chances += chance[k];
-                mean += perPx[k];
+                densities += perPx[k];
                 squares += perPx[k] * perPx[k];
                 if (Math.abs(pace[k]) > MOST) {
                     return 0;
                 }
             }
         }
-        return paces > 0 ? Math.max(0, 1 - (chances + squares - mean * mean / n) / paces) : 0;
+        return paces > 0 ? Math.max(0, 1 - (chances + squares - densities * densities / n) / paces) : 0;
     }
 }

@@ -108,6 +108,17 @@ public class TremorTest {
     }
 
     @Test
+    public void endOfTheEventsIsNoTremor() {
+        // 85 and 10 ms after the slice
+        look(timeS -> timeS < 0.335 ? 1 : 0, EVENTS_PER_PX, NONE);
+        assertFactors(timeS -> 1, 0);
+        window.forget(window.end());
+        slices.clear();
+        look(timeS -> timeS < 0.26 ? 1 : 0, EVENTS_PER_PX, NONE);
+        assertFactors(timeS -> 1, 0);
+    }
+
+    @Test
     public void framesAreNoTremor() {
         // a source that sees 30 pictures per second
         look(timeS -> timeS * 30 % 1 < 0.03 ? 33 : 0, EVENTS_PER_PX, NONE);
