@@ -1,5 +1,6 @@
 package io.github.sofas.flow.smooth;
 
+import static io.github.sofas.flow.smooth.SegmentPathTest.motion;
 import static org.junit.Assert.assertEquals;
 
 import io.github.sofas.event.SensorSize;
@@ -10,13 +11,6 @@ public class PathMeanTest {
     private static final double EXACT = 1e-9;
 
     private final SegmentPath path = new SegmentPath(1);
-
-    private static Motion motion(long us, double vx, double centreX) {
-        Motion motion = new Motion();
-        motion.set(us, vx, 0);
-        motion.centreX = centreX;
-        return motion;
-    }
 
     @Test
     public void motionAboutATimeIsThatOfTheMiddleOfItsBlock() {

@@ -16,7 +16,8 @@ public class SegmentPathTest {
     private final SegmentPath path = new SegmentPath(1);
     private final Motion at = new Motion();
 
-    private static Motion motion(long us, double vx, double centreX) {
+    /** To the right, with this column of the centre. */
+    static Motion motion(long us, double vx, double centreX) {
         Motion motion = new Motion();
         motion.set(us, vx, 0);
         motion.centreX = centreX;
