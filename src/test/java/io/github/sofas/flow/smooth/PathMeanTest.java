@@ -32,7 +32,7 @@ public class PathMeanTest {
             knot.growth = k % 2 == 0 ? -1 : 1;
             path.add(knot);
         }
-        for (long us = 70_000; us < 130_000; us += 1_000) {
+        for (long us = 60_000; us < 140_000; us += 1_000) {
             Motion about = path.about(us, 1_000);
             assertEquals(100, about.vx, 3);
             assertEquals(2, about.omega, 0.3);
@@ -56,7 +56,7 @@ public class PathMeanTest {
         path.add(motion(500_000, 200, 75));
         path.add(motion(1_000_000, 100, 150));
         assertEquals("6 px, 30 ms", 198.03, path.about(500_000, 2).vx, 0.01);
-        assertEquals("2,000 events in 40 ms", 198.03, aboutPeak(25_000), 0.04);
+        assertEquals("2,000 events in 40 ms; their bend adds a little", 198.045, aboutPeak(25_000), 0.01);
         assertEquals("in 10 ms, 2 px", 199.34, aboutPeak(100_000), 0.01);
         assertEquals("in 2 ms, but 1 px at least, 5 ms", 199.67, aboutPeak(500_000), 0.01);
     }
