@@ -31,7 +31,7 @@ final class Lamp {
         int count = 0;
         for (int y = 0, pixel = 0; y < sensor.height(); y++) {
             for (int x = 0; x < sensor.width(); x++, pixel++) {
-                double away = (Math.pow(x - midX, 2) + Math.pow(y - midY, 2)) / (radiusPx * radiusPx);
+                double away = ((x - midX) * (x - midX) + (y - midY) * (y - midY)) / (radiusPx * radiusPx);
                 double turned = Math.max(LEAST_TURNED, Math.min(1, 0.7 + surfaces.logLightAt(x, y)));
                 double of = swing * StrictMath.exp(-away) * turned;
                 if (of > LEAST_SWING) {

@@ -62,13 +62,14 @@ final class TexturedScenes {
 
     /** The wall recedes as much across the camera's path as along it. */
     static World slant(SimulationOptions options) {
-        return new World(List.of(wall(1, options, camera(options, false, Math.tan(Math.PI / 6)))), byHandS(options));
+        double slant = StrictMath.tan(Math.PI / 6);
+        return new World(List.of(wall(1, options, camera(options, false, slant))), byHandS(options));
     }
 
     private static CameraPath camera(SimulationOptions options, boolean turns, double slant) {
         Heading heading = new Heading(options);
         double each = slant / Math.sqrt(2);
-        return new CameraPath(options.sensor().width() / 2.0 / Math.tan(Math.PI / 6), Scenes.centreX(options),
+        return new CameraPath(options.sensor().width() / 2.0 / StrictMath.tan(Math.PI / 6), Scenes.centreX(options),
                 Scenes.centreY(options), heading.x(1, 0), heading.y(1, 0), byHandSpeed(options), turns,
                 heading.x(each, each), heading.y(each, each), 0.6, byHandS(options));
     }

@@ -19,7 +19,7 @@ final class TimedVotes {
     /** Cells of a block, as a power of two; blocks without votes are skipped. */
     private static final int BLOCK_BITS = 3;
     private static final int KEYS = BilinearAccumulator.KEYS;
-    private static final double ONE = Math.pow(BilinearAccumulator.SUB, -4);
+    private static final double ONE = StrictMath.pow(BilinearAccumulator.SUB, -4);
 
     /** Votes in the low half, votes times time in the high half of each cell; all 0 between two calls. */
     private final long[] pairs;

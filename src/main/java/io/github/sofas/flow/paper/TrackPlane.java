@@ -84,7 +84,7 @@ public final class TrackPlane {
      */
     private static double farthestTravel(Numbers p) {
         double longestS = p.maxLifetimeUs() * 1e-6;
-        double slow = Math.toDegrees(Math.atan(p.lifetimePx() / longestS / p.velocityScalePxPerS()));
+        double slow = Math.toDegrees(StrictMath.atan(p.lifetimePx() / longestS / p.velocityScalePxPerS()));
         double steep = Math.max(slow, Angles.STEEPEST_DEG - p.maxPerturbationDeg());
         return Math.max(travel(p, slow, longestS), travel(p, steep, longestS));
     }

@@ -68,9 +68,9 @@ final class PartShifts {
     void pull(int part, double slopeX, double slopeY, double xx, double xy, double yy) {
         double middle = (xx + yy) / 2;
         double off = Math.sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-        double angle = 0.5 * Math.atan2(2 * xy, xx - yy);
-        double c = Math.cos(angle);
-        double s = Math.sin(angle);
+        double angle = 0.5 * StrictMath.atan2(2 * xy, xx - yy);
+        double c = StrictMath.cos(angle);
+        double s = StrictMath.sin(angle);
         double slopeAlong = slopeX * c + slopeY * s;
         double slopeAcross = slopeY * c - slopeX * s;
         double along = atLeast(middle + off, slopeAlong);

@@ -65,9 +65,9 @@ final class PathProjection {
 
     /** Appends a step of so many seconds; the motion is that of its middle. */
     private void add(double seconds) {
-        double shrunk = Math.exp(-motion.growth * seconds);
-        double stepC = shrunk * Math.cos(motion.omega * seconds);
-        double stepS = shrunk * Math.sin(motion.omega * seconds);
+        double shrunk = StrictMath.exp(-motion.growth * seconds);
+        double stepC = shrunk * StrictMath.cos(motion.omega * seconds);
+        double stepS = shrunk * StrictMath.sin(motion.omega * seconds);
         double halfX = 0.5 * seconds * motion.vx;
         double halfY = 0.5 * seconds * motion.vy;
         double toX = motion.centreX - halfX - stepC * (motion.centreX + halfX) - stepS * (motion.centreY + halfY);
