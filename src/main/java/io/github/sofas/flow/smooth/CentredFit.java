@@ -19,6 +19,8 @@ final class CentredFit {
     private static final int LEAST = 30;
     private static final int MOST_ON_BOTH = 1900;
     private static final int ROUNDS = 2;
+    /** Shift of an end of the window by a step, in px, below which a further step would follow noise. */
+    private static final double ENOUGH_PX = 0.1;
     /** Step, in px, by which events are projected for a measurement. */
     private static final double STEP_PX = 1.0 / 64;
     /**
@@ -34,6 +36,7 @@ final class CentredFit {
     private final CentredStep step;
     private final SteppedProjection projection = new SteppedProjection();
     private final Motion motion = new Motion();
+    private final Motion before = new Motion();
     private double radius;
 
     CentredFit(SensorSize sensor, EventWindow window, SofasParameters.Track p) {
@@ -63,14 +66,27 @@ final class CentredFit {
             return null;
         }
         step.begin();
-        for (int round = 0; round < ROUNDS; round++) {
+        double shiftPx = ENOUGH_PX;
+        for (int round = 0; round < ROUNDS && shiftPx >= ENOUGH_PX; round++) {
             load(path, slices, us, sideUs, events);
             if (fit.size() < LEAST) {
                 return null;
             }
+            before.copyFrom(motion);
             step.take(fit, motion, sideUs * 1e-6, radius);
+            shiftPx = shiftPx(sideUs * 1e-6);
         }
         return motion;
+    }
+
+    /** How far a step shifts an end of the window, in px, by that part of the motion which it changes most. */
+    private double shiftPx(double half) {
+        double bend = half * half / 2;
+        double velocity = Math.hypot(motion.vx - before.vx, motion.vy - before.vy) * half;
+        double acceleration = Math.hypot(motion.ax - before.ax, motion.ay - before.ay) * bend;
+        double turn = Math.hypot(motion.omega - before.omega, motion.growth - before.growth) * radius * half;
+        double spin = Math.abs(motion.alpha - before.alpha) * radius * bend;
+        return Math.max(Math.max(velocity, acceleration), Math.max(turn, spin));
     }
 
     /**

@@ -33,9 +33,13 @@ final class PathAlignment {
     private static final int MOST_EVENTS = 1 << 14;
     private static final int LEAST_EVENTS = 60;
     private static final int ROUNDS = 8;
-    /** Least gain of the metric, in standard deviations; and the share of it that the first round must promise. */
+    /**
+     * Least gain of the metric, in standard deviations; the share of it that the first round must promise; and the same
+     * for each round after it, without which the parts are where they belong.
+     */
     private static final double LEAST_SIGMAS = 1;
     private static final double FIRST_SHARE = 0.3;
+    private static final double NEXT_SHARE = 0.02;
     /** Shift, in px, that at least one part must reach. */
     private static final double LEAST_PX = 0.15;
 
@@ -142,10 +146,14 @@ final class PathAlignment {
     private boolean align() {
         shifts.clear();
         double before = pull();
+        double least = LEAST_SIGMAS * MetricFit.sd(before);
         double after = before;
         for (int round = 0; round < ROUNDS; round++) {
-            if (!shifts.step() || round == 0 && shifts.gain() < FIRST_SHARE * LEAST_SIGMAS * MetricFit.sd(before)) {
+            if (!shifts.step() || round == 0 && shifts.gain() < FIRST_SHARE * least) {
                 return false;
+            }
+            if (shifts.gain() < NEXT_SHARE * least) {
+                break;
             }
             after = pull();
         }

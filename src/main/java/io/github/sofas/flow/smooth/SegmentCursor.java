@@ -42,15 +42,13 @@ final class SegmentCursor {
 
     /** Entry of the next event in the arrays of the window; {@value #NONE} if none follows. */
     int next() {
-        do {
-            while (next < end) {
-                int at = window.at(events.event(next++));
-                if (window.timeUs[at] >= fromUs) {
-                    return window.timeUs[at] < untilUs ? at : NONE;
-                }
+        while (next == end) {
+            if (!goOn()) {
+                return NONE;
             }
-        } while (goOn());
-        return NONE;
+        }
+        int at = window.at(events.event(next++));
+        return window.timeUs[at] < untilUs ? at : NONE;
     }
 
     /** Moves on to the next slice that may overlap the time; false if there is none. */
@@ -62,8 +60,23 @@ final class SegmentCursor {
             return false;
         }
         events = slices.get(slice).bySegment(window);
-        next = events.from(segment);
         end = events.until(segment);
+        next = firstFrom(fromUs);
         return true;
+    }
+
+    /** Place of the segment's first event at or after a time. */
+    private int firstFrom(long us) {
+        int low = events.from(segment);
+        int high = end;
+        while (low < high) {
+            int middle = low + high >>> 1;
+            if (window.timeUs[window.at(events.event(middle))] < us) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
     }
 }

@@ -304,18 +304,17 @@ public final class Smoother {
 
     private void settle(Slice slice) {
         tremor.look(paths.get(slice.largest()), slices, slice);
-        SegmentPath path = null;
-        for (long i = slice.from; i < slice.until; i++) {
-            int k = window.at(i);
-            int id = window.segment[k];
-            if (id != 0) {
-                if (path == null || path.id() != id) {
-                    path = paths.get(id);
-                    labels.give(window.label[k]);
-                }
-                if (path != null && path.isMeasured()) {
+        SegmentEvents events = slice.bySegment(window);
+        for (int id : events.segments()) {
+            SegmentPath path = paths.get(id);
+            int label = labels.ofPath(id);
+            labels.give(label);
+            if (path != null && path.isMeasured()) {
+                int until = events.until(id);
+                for (int each = events.from(id); each < until; each++) {
+                    int k = window.at(events.event(each));
                     Motion motion = path.about(window.timeUs[k], blockUs);
-                    float pace = tremor.factor(window.label[k], window.timeUs[k]);
+                    float pace = tremor.factor(label, window.timeUs[k]);
                     window.vxPxPerS[k] = pace * motion.vxAt(window.x[k], window.y[k], window.timeUs[k]);
                     window.vyPxPerS[k] = pace * motion.vyAt(window.x[k], window.y[k], window.timeUs[k]);
                 }
