@@ -40,10 +40,14 @@ final class Competition {
     /** Weights, in a claim, of events without a label, and of events with the label of another segment. */
     private static final double NOBODYS = 0.7;
     private static final double OTHERS = 0.45;
+    /** How many times denser events of other segments are on their edges, where they are met, than in the whole box. */
+    private static final double DENSER = 3;
     /** Greatest factor by which a claim is raised where the recording does not cover all of the travel. */
     private static final double MOST_RAISED = 2.75;
     /** Travel during the look-ahead below which a segment's past and future do not show, in px. */
     private static final double LEAST_TRAVEL_PX = 2;
+    /** Room around the places that are asked for, in px, in which events may be met there. */
+    private static final int BESIDE_PX = 2;
     /** Margin around a segment's box in px. */
     private static final int MARGIN_PX = 8;
     /** Steps of the projection per part. */
@@ -74,6 +78,9 @@ final class Competition {
     private long fromUs;
     /** The parts of the block's time that the recording covers, as bits. */
     private long recorded;
+    /** Events of other segments that are there, and the weight of such an event in a claim. */
+    private int others;
+    private double othersWeight;
     /** Claims that noise seldom reaches there; the second one for the segment that the engine gave an event to. */
     private double least;
     private double leastLabelled;
@@ -241,16 +248,28 @@ final class Competition {
         projection.begin(path, (a + b) / 2, fromUs, (double) STEPS / partUs, MOST_STEPS);
         recorded = TraceMap.parts(part(beginUs), part(endUs) + 1);
         map.clear();
+        others = 0;
         for (int k = index; k >= 0 && slices.get(k).untilUs > fromUs; k--) {
             add(slices.get(k), slices.get(index), b + sideUs);
         }
         for (int k = index + 1; k < slices.size() && slices.get(k).fromUs < b + sideUs; k++) {
             add(slices.get(k), slices.get(index), b + sideUs);
         }
+        othersWeight = othersWeight();
         double noise = slices.get(index).noisePerUs * partUs;
         least = NOBODYS * TraceMap.byNoise(noise, 2 * SIDE_PARTS, NOISE_SIGMAS);
         leastLabelled = PRIOR + NOBODYS * TraceMap.byNoise(noise, 2 * SIDE_PARTS, LABELLED_SIGMAS);
         ask(path, slices.get(index), a, b, shows);
+    }
+
+    /**
+     * Weight of an event of another segment: the less, the more probably one is there in a part by chance, whatever the
+     * motion. Where others are dense, an event shows little, above all to what is slow, whose parts last long.
+     */
+    private double othersWeight() {
+        double pixels = (right - left + 2 * BESIDE_PX) * (bottom - top + 2 * BESIDE_PX);
+        double expected = others / (2 * pixels * Math.max(1, Long.bitCount(recorded)));
+        return OTHERS * (1 - TraceMap.chance(DENSER * expected));
     }
 
     /** Part of the block's time that contains a time, or the nearest part. */
@@ -305,10 +324,11 @@ final class Competition {
                 int eventY = slice.y(j);
                 double x = projection.x(eventX, eventY);
                 double y = projection.y(eventX, eventY);
-                if (x > left - 2 && x < right + 2 && y > top - 2 && y < bottom + 2) {
-                    int whose = window.label[window.at(slice.event(j))];
-                    map.add(x, y, slice.isOn(j), part,
-                        whose == 0 ? TraceMap.NOBODYS : whose == ownLabel ? TraceMap.OWN : TraceMap.OTHERS);
+                if (x > left - BESIDE_PX && x < right + BESIDE_PX && y > top - BESIDE_PX && y < bottom + BESIDE_PX) {
+                    int label = window.label[window.at(slice.event(j))];
+                    int whose = label == 0 ? TraceMap.NOBODYS : label == ownLabel ? TraceMap.OWN : TraceMap.OTHERS;
+                    others += whose == TraceMap.OTHERS ? 1 : 0;
+                    map.add(x, y, slice.isOn(j), part, whose);
                 }
                 j++;
             } while (j < end && slice.afterUs(j) < stepUntilUs);
@@ -347,8 +367,11 @@ final class Competition {
             boolean isOwn = window.segment[window.at(event)] == path.id();
             int part = step / STEPS;
             long wanted = TraceMap.parts(part - SIDE_PARTS, part + SIDE_PARTS + 1) & ~(1L << part);
-            double score = !shows ? 0
-                : map.claim(x, y, slice.isOn(j), wanted, NOBODYS, OTHERS) * raised(Long.bitCount(wanted & recorded));
+            double score = 0;
+            if (shows) {
+                score = map.claim(x, y, slice.isOn(j), wanted, NOBODYS, othersWeight)
+                    * raised(Long.bitCount(wanted & recorded));
+            }
             if (isOwn) {
                 score = shows ? score + PRIOR : MOST + PRIOR;
             }

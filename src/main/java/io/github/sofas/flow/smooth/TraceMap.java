@@ -106,6 +106,11 @@ final class TraceMap {
         return Long.bitCount(own) + nobodys * Long.bitCount(free) + others * Long.bitCount(taken);
     }
 
+    /** Probability of an event on one of the four pixels around a place where so many are expected on each pixel. */
+    static double chance(double expected) {
+        return Chance.share(AROUND * expected);
+    }
+
     /**
      * Score of so many parts that noise seldom reaches: 1 for a part with noise on one of four pixels, and
      * {@value #NEAREST} more for noise on the nearest one.
@@ -114,7 +119,7 @@ final class TraceMap {
      * @param sigmas standard deviations above the mean
      */
     static double byNoise(double expected, int parts, double sigmas) {
-        double around = Chance.share(AROUND * expected);
+        double around = chance(expected);
         double nearest = Chance.share(expected);
         double mean = around + NEAREST * nearest;
         double square = around + ((1 + NEAREST) * (1 + NEAREST) - 1) * nearest;
