@@ -65,22 +65,24 @@ final class CentredFit {
         if (events < Math.max(LEAST, leastEvents)) {
             return null;
         }
+        double half = sideUs * 1e-6;
         step.begin();
-        double shiftPx = ENOUGH_PX;
-        for (int round = 0; round < ROUNDS && shiftPx >= ENOUGH_PX; round++) {
+        for (int round = 0; round < ROUNDS; round++) {
             load(path, slices, us, sideUs, events);
             if (fit.size() < LEAST) {
                 return null;
             }
             before.copyFrom(motion);
-            step.take(fit, motion, sideUs * 1e-6, radius);
-            shiftPx = shiftPx(sideUs * 1e-6);
+            step.take(fit, motion, half, radius);
+            if (stepPx(half) < ENOUGH_PX) {
+                break;
+            }
         }
         return motion;
     }
 
-    /** How far a step shifts an end of the window, in px, by that part of the motion which it changes most. */
-    private double shiftPx(double half) {
+    /** How far the last step shifts an end of the window, in px, by that part of the motion which it changes most. */
+    private double stepPx(double half) {
         double bend = half * half / 2;
         double velocity = Math.hypot(motion.vx - before.vx, motion.vy - before.vy) * half;
         double acceleration = Math.hypot(motion.ax - before.ax, motion.ay - before.ay) * bend;

@@ -367,13 +367,13 @@ final class Competition {
             boolean isOwn = window.segment[window.at(event)] == path.id();
             int part = step / STEPS;
             long wanted = TraceMap.parts(part - SIDE_PARTS, part + SIDE_PARTS + 1) & ~(1L << part);
-            double score = 0;
+            double score = isOwn ? MOST : 0;
             if (shows) {
                 score = map.claim(x, y, slice.isOn(j), wanted, NOBODYS, othersWeight)
                     * raised(Long.bitCount(wanted & recorded));
             }
             if (isOwn) {
-                score = shows ? score + PRIOR : MOST + PRIOR;
+                score += PRIOR;
             }
             int i = (int) (event - slice.from);
             if (score > claim[i] && score > (isOwn ? leastLabelled : least)) {

@@ -61,17 +61,17 @@ final class SegmentCursor {
         }
         events = slices.get(slice).bySegment(window);
         end = events.until(segment);
-        next = firstFrom(fromUs);
+        next = firstInTime();
         return true;
     }
 
-    /** Place of the segment's first event at or after a time. */
-    private int firstFrom(long us) {
+    /** Place, in the present slice, of the segment's first event that is not too early. */
+    private int firstInTime() {
         int low = events.from(segment);
         int high = end;
         while (low < high) {
             int middle = low + high >>> 1;
-            if (window.timeUs[window.at(events.event(middle))] < us) {
+            if (window.timeUs[window.at(events.event(middle))] < fromUs) {
                 low = middle + 1;
             } else {
                 high = middle;

@@ -38,17 +38,20 @@ public class CompetitionTest {
     private void film(int columns, int first, int second) {
         addPath(1, 100, 20);
         addPath(2, -100, 61);
-        long from = 0;
         for (int c = 0; c < columns; c++) {
             for (int y = 20; y < 40; y++) {
                 window.give(window.add(c * COLUMN_US, 0, 20 + c, y, 1), first, first);
                 window.give(window.add(c * COLUMN_US, 0, 61 - c, y, 1), second, second);
             }
-            if ((c + 1) * COLUMN_US % SLICE_US == 0) {
-                long us = (c + 1) * COLUMN_US;
-                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us, noisePerUs));
-                from = window.end();
-            }
+            endSlice((c + 1) * COLUMN_US);
+        }
+    }
+
+    /** Ends a slice, if one ends at that time. */
+    private void endSlice(long us) {
+        if (us % SLICE_US == 0) {
+            long from = slices.isEmpty() ? 0 : slices.get(slices.size() - 1).until;
+            slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us, noisePerUs));
         }
     }
 
@@ -216,7 +219,6 @@ public class CompetitionTest {
     private int labelledAmongOthers(boolean isCrowd) {
         addPath(1, 100, 20);
         paths.get(0).see(151_000);
-        long from = 0;
         for (int c = 0; c < 30; c++) {
             for (int y = 20; y < 40; y++) {
                 int label = y == 20 ? 1 : c == 15 ? 0 : 2;
@@ -225,11 +227,7 @@ public class CompetitionTest {
             for (int place = 0; isCrowd && place < 96 * 64; place++) {
                 window.give(window.add(c * COLUMN_US + 1, 0, place % 96, place / 96, 1), 2, 2);
             }
-            if ((c + 1) * COLUMN_US % SLICE_US == 0) {
-                long us = (c + 1) * COLUMN_US;
-                slices.add(new Slice(window, SENSOR, from, us - SLICE_US, us, 0));
-                from = window.end();
-            }
+            endSlice((c + 1) * COLUMN_US);
         }
         competition.decide(slices, 3, paths, 200_000, false);
         int count = 0;
