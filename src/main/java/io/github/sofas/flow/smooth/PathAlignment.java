@@ -48,9 +48,11 @@ final class PathAlignment {
     private final PathProjection projection = new PathProjection();
     private final MeetingPicture picture;
     private final PartShifts shifts = new PartShifts(PARTS);
-    // places of the events at the reference time
+    private final PathLength length;
+    // places of the events at the reference time, and their pixels
     private final int[] x = new int[MOST_EVENTS];
     private final int[] y = new int[MOST_EVENTS];
+    private final int[] pixel = new int[MOST_EVENTS];
     /** Index of the first event of each part. */
     private final int[] start = new int[PARTS + 1];
     private final long[] sums = new long[MeetingPicture.BESIDE * MeetingPicture.BESIDE];
@@ -64,11 +66,12 @@ final class PathAlignment {
         this.window = window;
         cursor = new SegmentCursor(window);
         picture = new MeetingPicture(sensor);
+        length = new PathLength(sensor, MOST_EVENTS, picture);
     }
 
     /** Bytes of its arrays. */
     static long bytes(SensorSize sensor) {
-        return MeetingPicture.bytes(sensor) + 2L * Integer.BYTES * MOST_EVENTS;
+        return MeetingPicture.bytes(sensor) + PathLength.bytes(sensor, MOST_EVENTS) + 3L * Integer.BYTES * MOST_EVENTS;
     }
 
     /**
@@ -85,7 +88,8 @@ final class PathAlignment {
         }
         projection.begin(path, slice.middleUs(), fromUs, (double) STEPS / (untilUs - fromUs), STEPS);
         if (place(path.id(), slices) >= LEAST_EVENTS && align()) {
-            path.replace(slice.fromUs, slice.untilUs, knots(path, slice));
+            moveByShifts();
+            path.replace(slice.fromUs, slice.untilUs, knots(path, slice, length.factor(pixel, x, y, start[PARTS])));
         }
     }
 
@@ -122,6 +126,7 @@ final class PathAlignment {
             if (Squares.isTaken(atX, atY, fromUs, share)) {
                 x[n] = MeetingPicture.place(atX);
                 y[n] = MeetingPicture.place(atY);
+                pixel[n] = length.pixel(window.x[k], window.y[k], window.polarity[k]);
                 n++;
             }
         }
@@ -215,8 +220,20 @@ final class PathAlignment {
         }
     }
 
-    /** The motions in the middle of each part that lies in a slice. */
-    private List<Motion> knots(SegmentPath path, Slice slice) {
+    /** Moves the events to where the bent path takes them. */
+    private void moveByShifts() {
+        for (int part = 0; part < PARTS; part++) {
+            int right = MeetingPicture.shift(shifts.x(part));
+            int down = MeetingPicture.shift(shifts.y(part));
+            for (int i = start[part]; i < start[part + 1]; i++) {
+                x[i] += right;
+                y[i] += down;
+            }
+        }
+    }
+
+    /** The motions in the middle of each part that lies in a slice, with a multiple of the way of the bent path. */
+    private List<Motion> knots(SegmentPath path, Slice slice, double times) {
         List<Motion> knots = new ArrayList<>();
         double seconds = (untilUs - fromUs) * 1e-6 / PARTS;
         for (int part = 0; part < PARTS; part++) {
@@ -233,6 +250,8 @@ final class PathAlignment {
                 projection.goTo(projection.step(afterUs));
                 motion.vx -= projection.backX(vx, vy) - projection.backX(0, 0);
                 motion.vy -= projection.backY(vx, vy) - projection.backY(0, 0);
+                motion.vx *= times;
+                motion.vy *= times;
                 knots.add(motion);
             }
         }
