@@ -49,7 +49,7 @@ final class PathAlignment {
     private final MeetingPicture picture;
     private final PartShifts shifts = new PartShifts(PARTS);
     private final PathLength length;
-    // places of the events at the reference time, and their pixels
+    // places of the events at the reference time, and their pixels with polarity
     private final int[] x = new int[MOST_EVENTS];
     private final int[] y = new int[MOST_EVENTS];
     private final int[] pixel = new int[MOST_EVENTS];

@@ -27,11 +27,15 @@ final class PathLength {
     private static final int NONE = -1;
 
     private final int columns;
-    /** By pixel and polarity, the last event that was a first event. */
-    private final int[] last;
     private final MeetingPicture picture;
-    private final int[] firsts;
-    private int count;
+    /** By pixel and polarity, the last first event. */
+    private final int[] last;
+    // where the first events were, and where they are at the reference time
+    private final int[] fromX;
+    private final int[] fromY;
+    private final int[] toX;
+    private final int[] toY;
+    private int firsts;
 
     /**
      * Creates an instance for at most so many events.
@@ -43,7 +47,10 @@ final class PathLength {
         columns = sensor.width();
         last = new int[pixels(sensor)];
         Arrays.fill(last, NONE);
-        firsts = new int[mostEvents];
+        fromX = new int[mostEvents];
+        fromY = new int[mostEvents];
+        toX = new int[mostEvents];
+        toY = new int[mostEvents];
     }
 
     private static int pixels(SensorSize sensor) {
@@ -52,7 +59,7 @@ final class PathLength {
 
     /** Bytes of its arrays. */
     static long bytes(SensorSize sensor, int mostEvents) {
-        return Integer.BYTES * ((long) pixels(sensor) + mostEvents);
+        return Integer.BYTES * (pixels(sensor) + 4L * mostEvents);
     }
 
     /** Number that stands for the pixel and the polarity of an event. */
@@ -65,21 +72,21 @@ final class PathLength {
      *
      * @param pixel of each event, as {@link #pixel} numbers it; in order of time
      * @param x places of the events at the reference time, along the path, as {@link MeetingPicture#place} gives them
-     * @param events how many there are
+     * @param events how many there are, one at least
      */
     double factor(int[] pixel, int[] x, int[] y, int events) {
         findFirsts(pixel, x, y, events);
-        double way = variance(pixel, x, y);
-        if (!(way >= LEAST_WAY_PX2)) {
+        double way = variance();
+        if (way < LEAST_WAY_PX2) {
             return 1;
         }
         double most = 1 + MOST_LATE_PX2 / way;
         double factor = 1;
         for (int round = 0; round < ROUNDS; round++) {
-            double shorter = met(factor - STEP, pixel, x, y);
-            double longer = met(factor + STEP, pixel, x, y);
+            double shorter = met(factor - STEP);
+            double longer = met(factor + STEP);
             double slope = (longer - shorter) / 2;
-            double curvature = 2 * met(factor, pixel, x, y) - shorter - longer;
+            double curvature = 2 * met(factor) - shorter - longer;
             factor += STEP * (curvature > Math.abs(slope) ? slope / curvature : Math.signum(slope));
         }
         return Math.max(1, Math.min(most, factor));
@@ -87,54 +94,47 @@ final class PathLength {
 
     private void findFirsts(int[] pixel, int[] x, int[] y, int events) {
         int far = FIRST_PX * MeetingPicture.shift(1);
-        count = 0;
+        firsts = 0;
         for (int i = 0; i < events; i++) {
             int before = last[pixel[i]];
-            if (before == NONE || Math.abs(x[i] - x[before]) + Math.abs(y[i] - y[before]) >= far) {
-                last[pixel[i]] = i;
-                firsts[count++] = i;
+            if (before == NONE || Math.abs(x[i] - toX[before]) + Math.abs(y[i] - toY[before]) >= far) {
+                fromX[firsts] = MeetingPicture.place(pixel[i] / 2 % columns);
+                fromY[firsts] = MeetingPicture.place(pixel[i] / 2 / columns);
+                toX[firsts] = x[i];
+                toY[firsts] = y[i];
+                last[pixel[i]] = firsts++;
             }
         }
-        for (int k = 0; k < count; k++) {
-            last[pixel[firsts[k]]] = NONE;
+        for (int i = 0; i < events; i++) {
+            last[pixel[i]] = NONE;
         }
     }
 
-    /** Variance of the way between the first events and their places at the reference time, in px². */
-    private double variance(int[] pixel, int[] x, int[] y) {
+    /** Variance of the way of the first events to the reference time, in px². */
+    private double variance() {
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
-        for (int k = 0; k < count; k++) {
-            double wayX = x[firsts[k]] - fromX(pixel[firsts[k]]);
-            double wayY = y[firsts[k]] - fromY(pixel[firsts[k]]);
+        for (int k = 0; k < firsts; k++) {
+            double wayX = toX[k] - fromX[k];
+            double wayY = toY[k] - fromY[k];
             sumX += wayX;
             sumY += wayY;
             squares += wayX * wayX + wayY * wayY;
         }
         double px = MeetingPicture.shift(1);
-        return (squares - (sumX * sumX + sumY * sumY) / count) / (count * px * px);
-    }
-
-    private int fromX(int pixel) {
-        return MeetingPicture.place(pixel / 2 % columns);
-    }
-
-    private int fromY(int pixel) {
-        return MeetingPicture.place(pixel / 2 / columns);
+        return (squares - (sumX * sumX + sumY * sumY) / firsts) / (firsts * px * px);
     }
 
     /** How often the first events meet where a multiple of the way takes them. */
-    private double met(double times, int[] pixel, int[] x, int[] y) {
+    private double met(double times) {
         picture.clear();
-        for (int k = 0; k < count; k++) {
-            int i = firsts[k];
-            picture.add(along(times, fromX(pixel[i]), x[i]), along(times, fromY(pixel[i]), y[i]), 1);
+        for (int k = 0; k < firsts; k++) {
+            picture.add(along(times, fromX[k], toX[k]), along(times, fromY[k], toY[k]), 1);
         }
         double met = 0;
-        for (int k = 0; k < count; k++) {
-            int i = firsts[k];
-            met += picture.met(along(times, fromX(pixel[i]), x[i]), along(times, fromY(pixel[i]), y[i]), 1);
+        for (int k = 0; k < firsts; k++) {
+            met += picture.met(along(times, fromX[k], toX[k]), along(times, fromY[k], toY[k]), 1);
         }
         return met;
     }
