@@ -263,6 +263,14 @@ public final class MotionChange {
         motion.growth = ofAllGrowth;
     }
 
+    /** Continues with a structure that only turns from now on, as it did. */
+    public void turnInPlace() {
+        alpha = 0;
+        acceleration.restart();
+        tracker.stop();
+        growthSlope.restart();
+    }
+
     /** Continues with a motion that is known from elsewhere, and does not measure how the motion changes. */
     public void take() {
         growthSlope.skip();

@@ -56,6 +56,13 @@ public final class Motion {
         hold();
     }
 
+    /** Keeps nothing but the rotation, as it is at the reference, about the centre where it is then. */
+    public void turnInPlace() {
+        double turning = omega;
+        set(referenceUs, 0, 0);
+        omega = turning;
+    }
+
     /** Makes the motion steady as it is at the reference: neither velocity, nor rotation, nor growth changes. */
     public void hold() {
         ax = 0;

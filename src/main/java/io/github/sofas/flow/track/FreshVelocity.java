@@ -3,7 +3,6 @@ package io.github.sofas.flow.track;
 import io.github.sofas.flow.fit.MetricFit;
 import io.github.sofas.flow.fit.VelocityTop;
 import io.github.sofas.flow.motion.Motion;
-import io.github.sofas.flow.motion.SteppedProjection;
 
 /**
  * Searches all directions for the velocity of a structure, using only the newest events, those of a few px of travel.
@@ -23,16 +22,12 @@ final class FreshVelocity {
     private static final double[] SPEEDS = {0.6, 1, 1.5};
     /** Distance between neighbouring velocities of one speed, in px over the time of the events. */
     private static final double SPACING_PX = 1.5;
-    /** Most events that are used; of more, only those on a part of the tiles. */
-    private static final int MOST_EVENTS = 3000;
     private static final int LEAST_EVENTS = 50;
-    /** Step, in px, by which events are projected along the motion. */
-    private static final double STEP_PX = 1.0 / 32;
     private static final int MOST_FITS = 5;
     /** Least metric per event. */
     private static final double LEAST_DENSITY = 0.7;
 
-    private final SteppedProjection stepped = new SteppedProjection();
+    private final NewestEvents events = new NewestEvents();
     private final Motion rest = new Motion();
     private double vx;
     private double vy;
@@ -63,13 +58,13 @@ final class FreshVelocity {
         if (windowUs <= 0) {
             return false;
         }
-        load(live, newest, motion, radius, fit);
+        events.load(live, newest, motion, radius, fit);
         if (fit.size() < LEAST_EVENTS) {
             return false;
         }
         double known = fit.metric();
         rest.set(fromUs + windowUs / 2, 0, 0);
-        load(live, newest, rest, radius, fit);
+        events.load(live, newest, rest, radius, fit);
         known = Math.max(known, fit.metric());
         double window = windowUs * 1e-6;
         if (lookAround(travelPx, window, fit) <= known) {
@@ -79,24 +74,6 @@ final class FreshVelocity {
         // in a sample events meet less often, by the share that it has of all
         double perEvent = metric / fit.size() * newest / fit.size();
         return metric - known > sigmas * MetricFit.sd(metric) && perEvent > LEAST_DENSITY;
-    }
-
-    private void load(LiveEvents live, int newest, Motion along, double radius, MetricFit fit) {
-        int halvings = 0;
-        while (newest >> halvings > MOST_EVENTS) {
-            halvings++;
-        }
-        fit.clear();
-        long fromUs = live.newestFromUs(newest);
-        stepped.begin(along, Math.abs(along.referenceUs - fromUs), 2 * radius, STEP_PX);
-        for (int k = live.size() - newest; k < live.size() && fit.size() < fit.capacity(); k++) {
-            int i = live.index(k);
-            if (live.isLeftBy(halvings, i) && live.claim(i) == Claim.OWN) {
-                stepped.advance(live.timeUs[i]);
-                fit.add((float) stepped.x(live.x[i], live.y[i]), (float) stepped.y(live.x[i], live.y[i]),
-                    (live.timeUs[i] - along.referenceUs) * 1e-6f, 0, 0, live.sign[i]);
-            }
-        }
     }
 
     /** Sets the velocity to the best of several speeds in all directions; returns its metric. */

@@ -103,6 +103,15 @@ final class LiveEvents {
         return timeUs[index(size - newest)];
     }
 
+    /** Returns the number of events after a time. */
+    int since(long us) {
+        int newest = 0;
+        while (newest < size && timeUs[index(size - 1 - newest)] > us) {
+            newest++;
+        }
+        return newest;
+    }
+
     /** Returns why an event was taken, by its index into the arrays. */
     Claim claim(int i) {
         return CLAIMS[claim[i]];

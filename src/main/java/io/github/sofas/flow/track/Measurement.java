@@ -120,6 +120,11 @@ final class Measurement {
         return travel.px();
     }
 
+    /** Whether the structure is so new that it may be coming in over the border. */
+    boolean mayComeIn() {
+        return count < COMING_IN;
+    }
+
     /** Whether the live events are sharp along the motion, as those of one structure are. */
     boolean isSharp() {
         return blurredPx == 0;
@@ -173,6 +178,13 @@ final class Measurement {
     /** Takes the structure for one body only as far as rotation and growth show within its parts. */
     void doubtBody() {
         change.doubtBody();
+    }
+
+    /** Continues with a structure that only turns from now on, as it did. */
+    void turnInPlace() {
+        change.turnInPlace();
+        prediction.restart();
+        blurredPx = 0;
     }
 
     /** Continues with the motion that this structure has in common with another, which was not measured. */
@@ -277,7 +289,7 @@ final class Measurement {
         int shared = 0;
         isCutOff = false;
         // the border cuts off little of a structure that is measured on a part of its events
-        boolean mayComeIn = count < COMING_IN && want == live.size() && live.thinning() == 1;
+        boolean mayBeCutOff = mayComeIn() && want == live.size() && live.thinning() == 1;
         stepped.begin(motion, motion.referenceUs - live.oldestUs(), 2 * radius, STEP_PX);
         for (int k = 0; k < want; k++) {
             int i = live.index(Sample.number(k, want, live.size()));
@@ -290,7 +302,7 @@ final class Measurement {
             fit.add(motion, stepped.x(live.x[i], live.y[i]), stepped.y(live.x[i], live.y[i]),
                 (live.timeUs[i] - motion.referenceUs) * 1e-6,
                 turned ? turn.polarity(live.timeUs[i], live.sign[i]) : live.sign[i]);
-            isCutOff |= mayComeIn && fit.isAtBorder(live.x[i], live.y[i]);
+            isCutOff |= mayBeCutOff && fit.isAtBorder(live.x[i], live.y[i]);
         }
         return shared;
     }

@@ -7,7 +7,8 @@ import io.github.sofas.flow.motion.Motion;
 /**
  * The re-centring of a track plane (paper, section Track Plane): its live events, and when and how its motion is
  * measured from them. Where measuring alone would fail, the velocity is looked for anew ({@link FreshVelocity}), the
- * speed is corrected ({@link SpeedByEvents}), or the structure is taken to rest ({@link Rest}).
+ * speed is corrected ({@link SpeedByEvents}), or the structure is taken to rest ({@link Rest}) or to turn in place
+ * ({@link PureRotation}).
  */
 final class Recentring {
     /**
@@ -45,6 +46,7 @@ final class Recentring {
     private final FreshVelocity fresh = new FreshVelocity();
     private final SpeedByEvents byEvents = new SpeedByEvents();
     private final Rest rest = new Rest();
+    private final PureRotation rotation = new PureRotation();
     private SofasParameters.Track p;
     private LiveEvents live = new LiveEvents();
     private long lifetimeUs;
@@ -164,6 +166,28 @@ final class Recentring {
     /** The time since which the structure is at rest; {@link Rest#NEVER} where it is not. */
     long restsSinceUs(Motion motion, double radius, boolean inView, long nowUs) {
         return rest.sinceUs(motion, live, density, radius, inView, nowUs);
+    }
+
+    /**
+     * The time since which the structure, which was to turn back, turns in place; {@link Rest#NEVER} where it does not,
+     * or is so new that its rotation is not known yet.
+     */
+    long turnsInPlaceSinceUs(Motion motion, double radius, MetricFit fit, long nowUs) {
+        return measurement.mayComeIn() ? Rest.NEVER : rotation.sinceUs(motion, live, radius, fit, nowUs);
+    }
+
+    /** Whether the events of a structure that has come to rest show that it turns in place. */
+    boolean turnsInPlace(long sinceUs, Motion motion, double radius, MetricFit fit) {
+        return rotation.showsSince(sinceUs, motion, live, radius, fit);
+    }
+
+    /** Drops the events of before the structure stopped. The others go on showing its rotation. */
+    void turnInPlace(long sinceUs, Motion motion, double radius) {
+        live.expire(sinceUs + 1);
+        density.start();
+        measurement.turnInPlace();
+        sinceMeasured = 0;
+        followLifetime(motion, radius);
     }
 
     /** Drops all events of a structure that has come to rest, and waits for the events by which it sets off. */

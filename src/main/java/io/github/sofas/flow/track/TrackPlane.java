@@ -249,20 +249,30 @@ public final class TrackPlane {
     }
 
     /**
-     * Corrects the motion by how its events thin out, or end. This comes before {@link #update} drops events, since
-     * those of a slower structure are kept for longer. The motion of a straight edge is not corrected, because its
-     * velocity is not known: an edge that slides along itself gives more or fewer events at any speed.
+     * Corrects the motion by how its events thin out, or end, or show that the structure only turns by now. This comes
+     * before {@link #update} drops events, since those of a slower structure are kept for longer. The speed of a
+     * straight edge is not corrected, because its velocity is not known: an edge that slides along itself gives more or
+     * fewer events at any speed.
      *
      * @param isHidden whether other structures lie where they may hide a part of this one
      */
     void correctSpeed(boolean isHidden, MetricFit fit, long nowUs) {
+        long turnsSinceUs = recentring.turnsInPlaceSinceUs(motion, contour.radius(), fit, nowUs);
+        if (turnsSinceUs != Rest.NEVER) {
+            turnInPlace(turnsSinceUs, nowUs);
+            return;
+        }
         if (!isVelocityKnown()) {
             return;
         }
         boolean inView = !isHidden && contour.isInSight(nowUs);
         long restsSinceUs = recentring.restsSinceUs(motion, contour.radius(), inView, nowUs);
         if (restsSinceUs != Rest.NEVER) {
-            rest(restsSinceUs, nowUs);
+            if (recentring.turnsInPlace(restsSinceUs, motion, contour.radius(), fit)) {
+                turnInPlace(restsSinceUs, nowUs);
+            } else {
+                rest(restsSinceUs, nowUs);
+            }
         } else if (recentring.correctSpeed(motion, contour.radius(), inView, fit, nowUs)) {
             contour.follow(motion);
         }
@@ -277,6 +287,15 @@ public final class TrackPlane {
         outline.remember(motion);
         motion.moveReference(nowUs);
         recentring.comeToRest(motion, contour.radius());
+    }
+
+    /** Takes the structure to have stopped where it was, and to turn on. */
+    private void turnInPlace(long sinceUs, long nowUs) {
+        motion.moveReference(sinceUs);
+        motion.turnInPlace();
+        contour.follow(motion);
+        motion.moveReference(nowUs);
+        recentring.turnInPlace(sinceUs, motion, contour.radius());
     }
 
     /**

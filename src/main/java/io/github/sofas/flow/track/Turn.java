@@ -41,6 +41,11 @@ final class Turn {
         return agoS > 0 && us > fromUs;
     }
 
+    /** Time of the turn, in µs. */
+    long us() {
+        return us;
+    }
+
     /** Polarity that the edge of an event fires since the turn. */
     int polarity(long timeUs, int polarity) {
         return timeUs < us ? -polarity : polarity;
