@@ -66,6 +66,19 @@ public class PureRotationTest {
         return live;
     }
 
+    /** A light of 15 x 10 px that flickers twice after the stop, and an event of before. */
+    private static LiveEvents flashes() {
+        LiveEvents live = new LiveEvents();
+        live.add((int) X, (int) Y, STOPS_US - 50_000, 1, Claim.OWN, 0);
+        for (int flash = 0; flash < 2; flash++) {
+            for (int dot = 0; dot < DOTS; dot++) {
+                long us = STOPS_US + 100 + 80_000 * flash + 100 * dot;
+                live.add((int) X + dot % 15, (int) Y + dot / 15, us, 1, Claim.OWN, 0);
+            }
+        }
+        return live;
+    }
+
     private long sinceUs(LiveEvents live, long nowUs) {
         return rotation.sinceUs(motion, live, RADIUS_PX, fit, nowUs);
     }
@@ -89,25 +102,23 @@ public class PureRotationTest {
     }
 
     @Test
-    public void whatDoesNotTurnDoesNotTurnInPlace() {
+    public void whatIsNotKnownToTurnStandsWhereItsEventsMeetMoreOftenThereByAStandardDeviation() {
         motion.omega = 0;
-        LiveEvents live = dots(0, 0, NOW_US);
-        assertEquals(Rest.NEVER, sinceUs(live, NOW_US));
-        assertFalse(rotation.showsSince(STOPS_US, motion, live, RADIUS_PX, fit));
+        // two events of each of 150 pixels, 15 x 10, meet where they are
+        assertEquals(STOPS_US, sinceUs(flashes(), NOW_US));
+        assertEquals(Rest.NEVER, sinceUs(dots(0, BACK_PX_PER_S2, NOW_US), NOW_US));
+    }
+
+    @Test
+    public void whatDoesNotTurnDoesNotShowThatItTurns() {
+        motion.omega = 0;
+        assertFalse(rotation.showsSince(STOPS_US, motion, dots(0, 0, NOW_US), RADIUS_PX, fit));
     }
 
     @Test
     public void whatStopsShowsThatItTurnsByEventsThatMeetAlongItsRotationAndNotAtRest() {
         assertTrue(rotation.showsSince(STOPS_US, motion, dots(RAD_PER_S, 0, NOW_US), RADIUS_PX, fit));
-        // a light that flickers twice
-        LiveEvents still = new LiveEvents();
-        for (int flash = 0; flash < 2; flash++) {
-            for (int dot = 0; dot < DOTS; dot++) {
-                long us = STOPS_US + 100 + 80_000 * flash + 100 * dot;
-                still.add((int) X + dot % 15, (int) Y + dot / 15, us, 1, Claim.OWN, 0);
-            }
-        }
-        assertFalse(rotation.showsSince(STOPS_US, motion, still, RADIUS_PX, fit));
+        assertFalse(rotation.showsSince(STOPS_US, motion, flashes(), RADIUS_PX, fit));
     }
 
     @Test
