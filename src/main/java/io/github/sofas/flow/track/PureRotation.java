@@ -20,6 +20,8 @@ final class PureRotation {
      */
     private static final double TURN_PX = 0.25;
     private static final int LEAST_EVENTS = 12;
+    /** Most events, over that way: more show by themselves how a structure goes on, as those of a wall do. */
+    private static final int MOST_EVENTS = 3000;
     /** Standard deviations that are not chance. */
     private static final double SIGMAS = 1;
 
@@ -44,8 +46,11 @@ final class PureRotation {
         double seconds = (nowUs - sinceUs) * 1e-6;
         back.copyFrom(motion);
         back.moveReference(nowUs);
+        if (Math.hypot(back.vx, back.vy) * seconds / 2 < BACK_PX) {
+            return Rest.NEVER;
+        }
         int newest = live.since(sinceUs);
-        if (Math.hypot(back.vx, back.vy) * seconds / 2 < BACK_PX || newest < LEAST_EVENTS) {
+        if (newest < LEAST_EVENTS || newest > MOST_EVENTS) {
             return Rest.NEVER;
         }
         events.load(live, newest, back, radius, fit);
