@@ -148,13 +148,23 @@ final class Candidates {
     TrackPlane unexpected(TrackPlane remembering, double noise) {
         TrackPlane its = byTrace(remembering, noise);
         TrackPlane appearing = appearing(its);
-        if (appearing == null) {
-            return its;
-        }
+        return appearing == null ? its : appears(appearing);
+    }
+
+    private TrackPlane appears(TrackPlane appearing) {
         isAppearing = true;
         // the contour must know this event as the one whose support was asked for last
         event.support(appearing);
         return appearing;
+    }
+
+    /**
+     * The same while the stack tracks nothing but one texture, for which no traces are kept. The texture gets the event
+     * if it enters the picture there; else the plane that remembers the place does.
+     */
+    TrackPlane unexpectedAlone(TrackPlane remembering) {
+        TrackPlane entering = event.isNearBorder() ? entering() : null;
+        return entering == null || entering == remembering ? remembering : appears(entering);
     }
 
     /** Returns the texture that comes into sight at the event, which another plane may get otherwise; null for none. */
@@ -233,6 +243,15 @@ final class Candidates {
     /** Whether it is doubtful that the event belongs to the plane that gets it. */
     boolean isDoubtful() {
         return closeSupport < best.sureSupport();
+    }
+
+    /**
+     * The same for a texture that is alone. What has come in over the border lately cannot have all of the support yet,
+     * so that less is asked of it. Beside other planes, an object that enters before the texture would be found later.
+     */
+    boolean isDoubtfulAlone() {
+        return isDoubtful()
+            && closeSupport < best.sureSupport() * best.shareInSight(event.x, event.y, event.timeUs);
     }
 
     /** Whether two contours are about equally near, so that the event should measure neither motion. */

@@ -131,6 +131,19 @@ final class Contour {
         return cells.support(ContourCells.cell(lastX), ContourCells.cell(lastY), expected(polarity));
     }
 
+    /** Returns the time in µs since a place of the structure, if it came in over the border, was at the border. */
+    double inSightUs(int x, int y, long timeUs) {
+        Motion motion = frame.motion();
+        return 1e6 * Math.min(sinceBorderS(x, motion.vxAt(x, y, timeUs), sensorWidth),
+            sinceBorderS(y, motion.vyAt(x, y, timeUs), sensorHeight));
+    }
+
+    /** The same in s along one axis of the sensor; infinite for what does not move along it. */
+    private static double sinceBorderS(int place, double pxPerS, int side) {
+        double travelledPx = pxPerS > 0 ? place + 0.5 : place + 0.5 - side;
+        return pxPerS == 0 ? Double.POSITIVE_INFINITY : travelledPx / pxPerS;
+    }
+
     /** Whether some of the contour lies a step or two ahead of a place, in the direction of its motion. */
     boolean goesOnFrom(int x, int y, long timeUs) {
         double vx = frame.motion().vxAt(x, y, timeUs);

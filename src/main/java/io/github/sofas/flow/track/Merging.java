@@ -135,7 +135,7 @@ final class Merging {
         if (!mayGrow && !mayTurn || !part.isDue(older.id(), Math.max(a.speed(), b.speed()), nowUs)) {
             return false;
         }
-        if (a.live().thinning() > 1 || b.live().thinning() > 1) {
+        if (a.isDense() || b.isDense()) {
             part.note(older.id(), OneBody.NOTHING, nowUs);
             return false;
         }

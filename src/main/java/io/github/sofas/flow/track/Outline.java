@@ -106,6 +106,14 @@ final class Outline {
     }
 
     /**
+     * Share of the time for which the contour holds events that a place of the structure has been in sight, if it came
+     * in over the border: 0 to 1.
+     */
+    double shareInSight(int x, int y, long timeUs, long lifetimeUs) {
+        return Math.min(1, contour.inSightUs(x, y, timeUs) / heldUs(lifetimeUs));
+    }
+
+    /**
      * Drops events that are older than the time for which the contour holds them.
      *
      * @param noise noise events per pixel and per µs, of each polarity

@@ -132,6 +132,11 @@ public final class TrackPlane {
         return recentring.live();
     }
 
+    /** Whether the structure is dense: it gives more events than are held, and is measured on some of its tiles. */
+    boolean isDense() {
+        return recentring.live().thinning() > 1;
+    }
+
     /** Where events of the structure fell recently. */
     Contour contour() {
         return contour;
@@ -182,6 +187,14 @@ public final class TrackPlane {
     /** Close support below which it is doubtful whether an event belongs to the structure. */
     double sureSupport() {
         return contour.sureSupport();
+    }
+
+    /**
+     * Share of the time for which the contour holds events that a place of the structure has been in sight, if it came
+     * in over the border: 0 to 1.
+     */
+    double shareInSight(int x, int y, long timeUs) {
+        return outline.shareInSight(x, y, timeUs, lifetimeUs());
     }
 
     long lifetimeUs() {
@@ -345,7 +358,7 @@ public final class TrackPlane {
     /** Continues along the motion as it is known now. */
     private void carryOn(long nowUs) {
         motion.moveReference(nowUs);
-        if (recentring.live().thinning() == 1 && isMovedOff()) {
+        if (!isDense() && isMovedOff()) {
             outline.draw(recentring.live(), motion, lifetimeUs());
         } else {
             outline.follow(motion, lifetimeUs());
@@ -383,7 +396,7 @@ public final class TrackPlane {
         }
         life.takeOver(other.life);
         motion.moveReference(nowUs);
-        if (recentring.live().thinning() == 1) {
+        if (!isDense()) {
             outline.draw(recentring.live(), motion, lifetimeUs());
         } else {
             contour.absorb(other.contour, motion);
@@ -425,8 +438,7 @@ public final class TrackPlane {
      * known.
      */
     boolean offerTo(TakenOver taken) {
-        LiveEvents live = recentring.live();
-        return live.thinning() == 1 && taken.begin(live, motion, contour.radius());
+        return !isDense() && taken.begin(recentring.live(), motion, contour.radius());
     }
 
     /**

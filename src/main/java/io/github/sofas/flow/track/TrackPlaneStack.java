@@ -105,6 +105,8 @@ public final class TrackPlaneStack {
             best = remembering(x, y, timeUs);
             if (keepsHistory()) {
                 best = candidates.unexpected(best, noise.perUs());
+            } else if (isLoneWall()) {
+                best = candidates.unexpectedAlone(best);
             }
         }
         boolean isDoubtful;
@@ -117,7 +119,7 @@ public final class TrackPlaneStack {
             // a structure that turns back comes to where its contour was
             isDoubtful = best != null && !best.isBent(x, y, timeUs);
         } else {
-            isDoubtful = candidates.isDoubtful();
+            isDoubtful = isLoneWall() ? candidates.isDoubtfulAlone() : candidates.isDoubtful();
             boolean isShared = candidates.areClose() || candidates.isWeak() && isRememberedByOther(best, x, y, timeUs);
             claim = isShared ? Claim.SHARED : Claim.OWN;
         }
@@ -146,6 +148,11 @@ public final class TrackPlaneStack {
      */
     private boolean keepsHistory() {
         return size > 1;
+    }
+
+    /** Whether a dense structure, such as a wall that fills the picture, is all that is tracked. */
+    private boolean isLoneWall() {
+        return size == 1 && planes[0].isDense();
     }
 
     private static void write(FlowOutput output, int i, int id, float vx, float vy) {

@@ -529,4 +529,14 @@ public class ContourTest {
         assertFalse(Reaches.holds(box, Reaches.event(0, 0)));
         assertFalse(Reaches.holds(box, Reaches.event(60, 40)));
     }
+
+    @Test
+    public void placeIsInSightSinceItsMotionTookItOverTheBorder() {
+        start(100, -50);
+        // the middle of column 9 lies 9.5 px from the left border, that of row 76 of 96 19.5 px from the bottom
+        assertEquals(95_000, contour.inSightUs(9, 40, 0), 1);
+        assertEquals(390_000, contour.inSightUs(60, 76, 0), 1);
+        startAtRest();
+        assertEquals(Double.POSITIVE_INFINITY, contour.inSightUs(9, 40, 0), 0);
+    }
 }

@@ -84,6 +84,16 @@ public class OutlineTest {
     }
 
     @Test
+    public void placeHasBeenInSightForAShareOfTheTimeThatEventsAreHeld() {
+        start(100);
+        // column 3 came in 3.5 px, 35 ms, ago; column 19 before all events that are held
+        assertEquals(35.0 / 160, outline.shareInSight(3, 40, 0, LIFETIME_US), 1e-6);
+        assertEquals(1, outline.shareInSight(19, 40, 0, LIFETIME_US), 0);
+        outline.pass(0, MUCH_NOISE, false, LIFETIME_US);
+        assertEquals(35.0 / 40, outline.shareInSight(3, 40, 0, LIFETIME_US), 1e-3);
+    }
+
+    @Test
     public void placesAreRememberedForSoManyPxOfTravelAndTwoSecondsAtMost() {
         start(100);
         assertEquals(640_000, outline.memoryUs(motion));

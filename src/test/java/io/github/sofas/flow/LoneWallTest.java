@@ -1,0 +1,100 @@
+package io.github.sofas.flow;
+
+import static org.junit.Assert.assertTrue;
+
+import io.github.sofas.event.EventBatch;
+import io.github.sofas.event.SensorSize;
+import io.github.sofas.simulate.Scene;
+import io.github.sofas.simulate.SimulatedRecording;
+import io.github.sofas.simulate.SimulationOptions;
+import java.util.HashMap;
+import java.util.Map;
+import org.junit.Test;
+
+/** A textured wall that fills the picture and goes to the right by 150 px/s, so dense that it is measured on tiles. */
+public class LoneWallTest {
+    private static final SensorSize SENSOR = SimulationOptions.DAVIS240;
+    private static final double PX_PER_S = 150;
+    /** After 30 px of travel the wall has been one segment for long. */
+    private static final long SETTLED_US = 200_000;
+    private static final long UNTIL_US = 600_000;
+    /** The wall's segment: the one that is found first. */
+    private static final int WALL = 1;
+
+    private static SimulatedRecording wall() {
+        return SimulatedRecording.of(Scene.TEXTURED_PAN,
+            SimulationOptions.defaults().withSpeedPxPerS(PX_PER_S).withDurationUs(UNTIL_US));
+    }
+
+    /** Segments of events by their number, as one batch after the other is labelled. */
+    private static int[] segments(long[] timeUs, short[] x, short[] y, byte[] polarity) {
+        Sofas sofas = new Sofas(SENSOR, SofasParameters.defaults());
+        EventBatch batch = new EventBatch(4096);
+        FlowOutput flow = new FlowOutput(4096);
+        int[] segments = new int[timeUs.length];
+        for (int from = 0; from < timeUs.length; from += batch.size()) {
+            batch.clear();
+            for (int i = from; i < timeUs.length && batch.size() < batch.capacity(); i++) {
+                batch.add(timeUs[i], x[i], y[i], polarity[i]);
+            }
+            sofas.process(batch, flow);
+            System.arraycopy(flow.segment, 0, segments, from, batch.size());
+        }
+        return segments;
+    }
+
+    @Test
+    public void whatComesInOverTheBorderIsTheWalls() {
+        SimulatedRecording wall = wall();
+        int[] segments = segments(wall.timeUs, wall.x, wall.y, wall.polarity);
+        int events = 0;
+        int walls = 0;
+        for (int i = 0; i < segments.length; i++) {
+            if (wall.timeUs[i] > SETTLED_US && wall.x[i] < 8 && wall.object[i] == 1) {
+                events++;
+                walls += segments[i] == WALL ? 1 : 0;
+            }
+        }
+        assertTrue(walls + " of " + events, walls > 0.97 * events);
+    }
+
+    /** A hexagon that nothing is hidden by or hides, from {@link #SETTLED_US} on. */
+    @Test
+    public void whatAppearsBeforeTheWallGetsASegment() {
+        SimulatedRecording wall = wall();
+        SimulationOptions options = SimulationOptions.defaults();
+        SimulatedRecording hexagon = SimulatedRecording.of(Scene.HEXAGON, options.withDirectionDeg(100)
+            .withDurationUs(UNTIL_US - SETTLED_US).withDvs(options.dvs().withNoiseHzPerPx(0)));
+        int n = wall.size() + hexagon.size();
+        long[] timeUs = new long[n];
+        short[] x = new short[n];
+        short[] y = new short[n];
+        byte[] polarity = new byte[n];
+        boolean[] isHexagon = new boolean[n];
+        int w = 0;
+        int h = 0;
+        for (int i = 0; i < n; i++) {
+            isHexagon[i] = w == wall.size()
+                || h < hexagon.size() && hexagon.timeUs[h] + SETTLED_US < wall.timeUs[w];
+            SimulatedRecording from = isHexagon[i] ? hexagon : wall;
+            int k = isHexagon[i] ? h++ : w++;
+            timeUs[i] = from.timeUs[k] + (isHexagon[i] ? SETTLED_US : 0);
+            x[i] = from.x[k];
+            y[i] = from.y[k];
+            polarity[i] = from.polarity[k];
+        }
+        int[] segments = segments(timeUs, x, y, polarity);
+        Map<Integer, Integer> ofHexagon = new HashMap<>();
+        int events = 0;
+        for (int i = 0; i < n; i++) {
+            if (isHexagon[i] && timeUs[i] > UNTIL_US - 100_000) {
+                events++;
+                ofHexagon.merge(segments[i], 1, Integer::sum);
+            }
+        }
+        ofHexagon.remove(0);
+        ofHexagon.remove(WALL);
+        int most = ofHexagon.values().stream().mapToInt(Integer::intValue).max().orElse(0);
+        assertTrue(most + " of " + events, most > 0.8 * events);
+    }
+}
