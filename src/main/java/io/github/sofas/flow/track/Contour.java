@@ -204,6 +204,12 @@ final class Contour {
         changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, heldUs));
     }
 
+    /** Notes a current event on its cell. */
+    void add(int x, int y, long timeUs, int polarity) {
+        frame.advance(timeUs);
+        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, 0);
+    }
+
     private static int sixteenths(long ageUs, long heldUs) {
         return (int) Math.min(ContourCells.SIXTEENTHS, ageUs * ContourCells.SIXTEENTHS / Math.max(1, heldUs));
     }

@@ -181,6 +181,11 @@ final class ContourMemory {
     /** Remembers the place of an event as a place of the structure; returns the hash of its tile. */
     int see(int x, int y, long timeUs) {
         locate(x, y, (timeUs - motion.referenceUs) * 1e-6);
+        return seeLocated(timeUs);
+    }
+
+    /** The same for the event whose tile was asked for last. */
+    int seeLocated(long timeUs) {
         int cx = (int) Math.floor(cellX);
         int cy = (int) Math.floor(cellY);
         minX = Math.min(minX, cx);

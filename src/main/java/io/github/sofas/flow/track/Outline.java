@@ -98,11 +98,22 @@ final class Outline {
      */
     int take(int x, int y, long timeUs, int polarity, Claim claim, long lifetimeUs) {
         if (claim == Claim.REMEMBERED) {
-            contour.add(x, y, timeUs, polarity, 0, heldUs(lifetimeUs));
+            contour.add(x, y, timeUs, polarity);
             return memory.tile(x, y, timeUs);
         }
         contour.addLast(polarity);
         return memory.see(x, y, timeUs);
+    }
+
+    /** Returns the hash of the tile of the structure that an event lies on. */
+    int tile(int x, int y, long timeUs) {
+        return memory.tile(x, y, timeUs);
+    }
+
+    /** Notes a current event, whose {@link #tile} was asked for last. */
+    void takeLocated(int x, int y, long timeUs, int polarity) {
+        contour.add(x, y, timeUs, polarity);
+        memory.seeLocated(timeUs);
     }
 
     /**

@@ -256,6 +256,20 @@ public final class TrackPlane {
         }
     }
 
+    /**
+     * Takes an event that is not measured as one of the contour, without asking whether it is.
+     *
+     * @return whether it is taken; an event that is measured, or that no motion predicts, is to be asked
+     */
+    boolean takesUnasked(int x, int y, long timeUs, int polarity) {
+        if (!isPredictive() || recentring.live().takes(outline.tile(x, y, timeUs))) {
+            return false;
+        }
+        life.note(timeUs);
+        outline.takeLocated(x, y, timeUs, polarity);
+        return true;
+    }
+
     /** Whether the motion predicts where the events come from. If not, they get no flow until it does again. */
     public boolean isPredictive() {
         return recentring.measurement().isPredictive() && !adrift;

@@ -41,6 +41,7 @@ public final class TrackPlaneStack {
     /** A plane for the next part: until planes are adopted, the unused ones may be in use by another thread. */
     private TrackPlane forPart;
     private final Doubts doubts;
+    private final SettledTiles settled;
     private final PixelHistory history;
     private final Bursts bursts;
     private final NoiseRate noise;
@@ -65,6 +66,7 @@ public final class TrackPlaneStack {
         parting = new Parting(sensor, tiled);
         taken = new TakenOver(tiled);
         doubts = new Doubts(sensor);
+        settled = new SettledTiles(sensor);
         history = new PixelHistory(sensor);
         candidates = new Candidates(history);
         bursts = new Bursts(sensor);
@@ -78,7 +80,8 @@ public final class TrackPlaneStack {
         // one more plane, for a part; one more ring, for merging; and bursts of both found and tracked planes
         return (p.maxTrackPlanes() + 1) * TrackPlane.mostBytes(sensor) + LiveEvents.BYTES + Contour.bytes(sensor)
             + TiledEvents.bytes(sensor) + Parting.bytes(sensor) + TakenOver.bytes(sensor) + Doubts.bytes(sensor)
-            + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor) + NoiseRate.bytes(sensor);
+            + SettledTiles.bytes(sensor) + PixelHistory.bytes(sensor) + 2 * Bursts.bytes(sensor)
+            + NoiseRate.bytes(sensor);
     }
 
     /**
@@ -89,6 +92,22 @@ public final class TrackPlaneStack {
      * @return whether the event is explained; if not, it may belong to a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
+        if (!isLoneWall()) {
+            return ask(x, y, timeUs, polarity, output, i);
+        }
+        TrackPlane wall = planes[0];
+        if (settled.isSettled(x, y) && wall.takesUnasked(x, y, timeUs, polarity)) {
+            write(output, i, wall, x, y, timeUs);
+            reaches.follow(wall, planes, size, timeUs);
+            return true;
+        }
+        boolean isExplained = ask(x, y, timeUs, polarity, output, i);
+        settled.note(x, y, isExplained);
+        return isExplained;
+    }
+
+    /** Labels an event by the plane that it is found to belong to; returns whether there is one without doubt. */
+    private boolean ask(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         candidates.begin(x, y, timeUs, polarity);
         if (!reaches.areKnownAt(timeUs)) {
             reaches.take(planes, size, timeUs, timeUs + CHECK_US);
@@ -132,9 +151,7 @@ public final class TrackPlaneStack {
             return false;
         }
         if (best.isPredictive()) {
-            float pace = (float) best.pace();
-            write(output, i, best.id(), pace * best.motion().vxAt(x, y, timeUs),
-                pace * best.motion().vyAt(x, y, timeUs));
+            write(output, i, best, x, y, timeUs);
         } else {
             write(output, i, 0, 0, 0);
         }
@@ -153,6 +170,12 @@ public final class TrackPlaneStack {
     /** Whether a dense structure, such as a wall that fills the picture, is all that is tracked. */
     private boolean isLoneWall() {
         return size == 1 && planes[0].isDense();
+    }
+
+    /** Writes flow and segment of an event of a plane. */
+    private static void write(FlowOutput output, int i, TrackPlane its, int x, int y, long timeUs) {
+        float pace = (float) its.pace();
+        write(output, i, its.id(), pace * its.motion().vxAt(x, y, timeUs), pace * its.motion().vyAt(x, y, timeUs));
     }
 
     private static void write(FlowOutput output, int i, int id, float vx, float vy) {
@@ -197,6 +220,7 @@ public final class TrackPlaneStack {
         }
         nextCheckUs = nowUs + CHECK_US;
         noise.goOn(nowUs);
+        settled.follow(isLoneWall() ? planes[0].id() : 0);
         reaches.forget();
         for (int i = size - 1; i >= 0; i--) {
             planes[i].correctSpeed(isHidden(i, nowUs), fit, nowUs);
@@ -410,6 +434,7 @@ public final class TrackPlaneStack {
         found.reset();
         found.open(planes.length, unused, noise.perUs());
         doubts.reset();
+        settled.follow(0);
         history.clear();
         bursts.reset();
         nextId = 1;
