@@ -1,7 +1,6 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
-import java.util.Arrays;
 
 /**
  * Shows where on the sensor the contours explain events badly. For each tile of 8 x 8 px, it keeps the share of recent
@@ -17,36 +16,24 @@ final class Doubts {
     private static final float EVENTS = 16;
     private static final float LEAST_SHARE = 0.3f;
 
-    private final int columns;
-    private final float[] share;
+    private final TileShares doubtful;
 
     Doubts(SensorSize sensor) {
-        columns = columns(sensor);
-        share = new float[tiles(sensor)];
-    }
-
-    private static int columns(SensorSize sensor) {
-        return (sensor.width() >> TILE_BITS) + 1;
-    }
-
-    private static int tiles(SensorSize sensor) {
-        return columns(sensor) * ((sensor.height() >> TILE_BITS) + 1);
+        doubtful = new TileShares(sensor, TILE_BITS, EVENTS);
     }
 
     /** Bytes that the array takes. */
     static long bytes(SensorSize sensor) {
-        return (long) Float.BYTES * tiles(sensor);
+        return TileShares.bytes(sensor, TILE_BITS);
     }
 
     /** Notes whether an event was doubtful; returns whether many events of its tile are. */
-    boolean note(int x, int y, boolean doubtful) {
-        int tile = (y >> TILE_BITS) * columns + (x >> TILE_BITS);
-        share[tile] += ((doubtful ? 1 : 0) - share[tile]) / EVENTS;
-        return share[tile] >= LEAST_SHARE;
+    boolean note(int x, int y, boolean isDoubtful) {
+        return doubtful.note(x, y, isDoubtful) >= LEAST_SHARE;
     }
 
     /** Forgets all events. */
     void reset() {
-        Arrays.fill(share, 0);
+        doubtful.setAll(0);
     }
 }

@@ -1,7 +1,6 @@
 package io.github.sofas.flow.track;
 
 import io.github.sofas.event.SensorSize;
-import java.util.Arrays;
 
 /**
  * Shows on which tiles of the sensor a lone wall explains nearly all events that are asked whether they lie on its
@@ -20,65 +19,40 @@ final class SettledTiles {
     /** Share of unexplained events from which on a tile is not settled: small bodies give a fast wall little more. */
     private static final float MOST_UNEXPLAINED = 0.02f;
 
-    private final int columns;
-    private final float[] unexplained;
+    private final TileShares unexplained;
     private int wall;
 
     SettledTiles(SensorSize sensor) {
-        columns = columns(sensor);
-        unexplained = new float[tiles(sensor)];
-        Arrays.fill(unexplained, 1);
-    }
-
-    private static int columns(SensorSize sensor) {
-        return (sensor.width() >> TILE_BITS) + 1;
-    }
-
-    private static int tiles(SensorSize sensor) {
-        return columns(sensor) * ((sensor.height() >> TILE_BITS) + 1);
+        unexplained = new TileShares(sensor, TILE_BITS, EVENTS);
+        unexplained.setAll(1);
     }
 
     /** Bytes that the array takes. */
     static long bytes(SensorSize sensor) {
-        return (long) Float.BYTES * tiles(sensor);
+        return TileShares.bytes(sensor, TILE_BITS);
     }
 
     /** Takes the id of the lone wall, or 0 for none. No tile is settled for another one yet. */
     void follow(int lone) {
         if (lone != wall) {
             wall = lone;
-            Arrays.fill(unexplained, 1);
+            unexplained.setAll(1);
         }
-    }
-
-    private int tile(int x, int y) {
-        return (y >> TILE_BITS) * columns + (x >> TILE_BITS);
     }
 
     /** Whether the wall explains nearly all events of the tile at a place. */
     boolean isSettled(int x, int y) {
-        return unexplained[tile(x, y)] < MOST_UNEXPLAINED;
+        return unexplained.at(x, y) < MOST_UNEXPLAINED;
     }
 
     /**
-     * Notes whether the wall explains an event that was asked. A tile that is no longer settled has the tiles around it
-     * begin anew: what appears there is seldom as small as a tile.
+     * Notes whether the wall explains an event that was asked. A tile that is no longer settled begins anew with the
+     * tiles around it: what appears there is seldom as small as a tile.
      */
     void note(int x, int y, boolean isExplained) {
-        int tile = tile(x, y);
         boolean wasSettled = isSettled(x, y);
-        unexplained[tile] += ((isExplained ? 0 : 1) - unexplained[tile]) / EVENTS;
-        if (wasSettled && !isSettled(x, y)) {
-            beginAnewAround(x >> TILE_BITS, y >> TILE_BITS);
-        }
-    }
-
-    private void beginAnewAround(int column, int row) {
-        int lastRow = Math.min(unexplained.length / columns - 1, row + 1);
-        int firstColumn = Math.max(0, column - 1);
-        int lastColumn = Math.min(columns - 1, column + 1);
-        for (int r = Math.max(0, row - 1); r <= lastRow; r++) {
-            Arrays.fill(unexplained, r * columns + firstColumn, r * columns + lastColumn + 1, 1);
+        if (unexplained.note(x, y, !isExplained) >= MOST_UNEXPLAINED && wasSettled) {
+            unexplained.setAround(x, y, 1);
         }
     }
 }
