@@ -1,5 +1,6 @@
 package io.github.sofas.flow;
 
+import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import io.github.sofas.event.EventBatch;
@@ -96,5 +97,32 @@ public class LoneWallTest {
         ofHexagon.remove(WALL);
         int most = ofHexagon.values().stream().mapToInt(Integer::intValue).max().orElse(0);
         assertTrue(most + " of " + events, most > 0.8 * events);
+    }
+
+    /** A strip of 150 px of a wall, which goes on from column 10, before nothing. */
+    @Test
+    public void noiseWhereAStructureWasIsNotIts() {
+        SensorSize large = new SensorSize(346, 260);
+        SimulatedRecording wall = SimulatedRecording.of(Scene.TEXTURED_PAN, SimulationOptions.defaults()
+            .withSensor(large).withSpeedPxPerS(PX_PER_S).withDurationUs(1_000_000));
+        EventBatch film = new EventBatch(wall.size());
+        for (int i = 0; i < wall.size(); i++) {
+            double onStrip = wall.x[i] - 10 - PX_PER_S * wall.timeUs[i] * 1e-6;
+            if (wall.object[i] == 0 || onStrip >= 0 && onStrip < 150) {
+                film.add(wall.timeUs[i], wall.x[i], wall.y[i], wall.polarity[i]);
+            }
+        }
+        FlowOutput flow = new FlowOutput(film.size());
+        new Sofas(large, SofasParameters.defaults()).process(film, flow);
+        int behind = 0;
+        int withFlow = 0;
+        for (int i = 0; i < film.size(); i++) {
+            if (film.timeUs[i] > 400_000 && film.x[i] < PX_PER_S * film.timeUs[i] * 1e-6 - 20) {
+                behind++;
+                withFlow += flow.segment[i] == 0 ? 0 : 1;
+            }
+        }
+        assertTrue("events " + behind, behind > 1_000);
+        assertEquals(0, withFlow);
     }
 }

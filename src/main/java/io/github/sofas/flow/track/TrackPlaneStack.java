@@ -92,11 +92,15 @@ public final class TrackPlaneStack {
      * @return whether the event is explained; if not, it may belong to a structure that is not tracked yet
      */
     public boolean label(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
+        if (!reaches.areKnownAt(timeUs)) {
+            reaches.take(planes, size, timeUs, timeUs + CHECK_US);
+        }
         if (!isLoneWall()) {
             return ask(x, y, timeUs, polarity, output, i);
         }
         TrackPlane wall = planes[0];
-        if (settled.isSettled(x, y) && wall.takesUnasked(x, y, timeUs, polarity)) {
+        if (settled.isSettled(x, y) && reaches.hold(0, Reaches.event(x, y))
+                && wall.takesUnasked(x, y, timeUs, polarity)) {
             write(output, i, wall, x, y, timeUs);
             reaches.follow(wall, planes, size, timeUs);
             return true;
@@ -109,9 +113,6 @@ public final class TrackPlaneStack {
     /** Labels an event by the plane that it is found to belong to; returns whether there is one without doubt. */
     private boolean ask(int x, int y, long timeUs, int polarity, FlowOutput output, int i) {
         candidates.begin(x, y, timeUs, polarity);
-        if (!reaches.areKnownAt(timeUs)) {
-            reaches.take(planes, size, timeUs, timeUs + CHECK_US);
-        }
         long event = Reaches.event(x, y);
         for (int k = 0; k < size; k++) {
             if (reaches.hold(k, event)) {
