@@ -27,30 +27,27 @@ public class LoneWallTest {
             SimulationOptions.defaults().withSpeedPxPerS(PX_PER_S).withDurationUs(UNTIL_US));
     }
 
-    /** Segments of events by their number, as one batch after the other is labelled. */
-    private static int[] segments(long[] timeUs, short[] x, short[] y, byte[] polarity) {
-        Sofas sofas = new Sofas(SENSOR, SofasParameters.defaults());
-        EventBatch batch = new EventBatch(4096);
-        FlowOutput flow = new FlowOutput(4096);
-        int[] segments = new int[timeUs.length];
-        for (int from = 0; from < timeUs.length; from += batch.size()) {
-            batch.clear();
-            for (int i = from; i < timeUs.length && batch.size() < batch.capacity(); i++) {
-                batch.add(timeUs[i], x[i], y[i], polarity[i]);
-            }
-            sofas.process(batch, flow);
-            System.arraycopy(flow.segment, 0, segments, from, batch.size());
-        }
-        return segments;
+    private static int[] segments(SensorSize sensor, EventBatch film) {
+        FlowOutput flow = new FlowOutput(film.size());
+        new Sofas(sensor, SofasParameters.defaults()).process(film, flow);
+        return flow.segment;
+    }
+
+    private static void add(SimulatedRecording from, int i, long laterUs, EventBatch film) {
+        film.add(from.timeUs[i] + laterUs, from.x[i], from.y[i], from.polarity[i]);
     }
 
     @Test
     public void whatComesInOverTheBorderIsTheWalls() {
         SimulatedRecording wall = wall();
-        int[] segments = segments(wall.timeUs, wall.x, wall.y, wall.polarity);
+        EventBatch film = new EventBatch(wall.size());
+        for (int i = 0; i < wall.size(); i++) {
+            add(wall, i, 0, film);
+        }
+        int[] segments = segments(SENSOR, film);
         int events = 0;
         int walls = 0;
-        for (int i = 0; i < segments.length; i++) {
+        for (int i = 0; i < wall.size(); i++) {
             if (wall.timeUs[i] > SETTLED_US && wall.x[i] < 8 && wall.object[i] == 1) {
                 events++;
                 walls += segments[i] == WALL ? 1 : 0;
@@ -67,28 +64,24 @@ public class LoneWallTest {
         SimulatedRecording hexagon = SimulatedRecording.of(Scene.HEXAGON, options.withDirectionDeg(100)
             .withDurationUs(UNTIL_US - SETTLED_US).withDvs(options.dvs().withNoiseHzPerPx(0)));
         int n = wall.size() + hexagon.size();
-        long[] timeUs = new long[n];
-        short[] x = new short[n];
-        short[] y = new short[n];
-        byte[] polarity = new byte[n];
+        EventBatch film = new EventBatch(n);
         boolean[] isHexagon = new boolean[n];
         int w = 0;
         int h = 0;
         for (int i = 0; i < n; i++) {
             isHexagon[i] = w == wall.size()
                 || h < hexagon.size() && hexagon.timeUs[h] + SETTLED_US < wall.timeUs[w];
-            SimulatedRecording from = isHexagon[i] ? hexagon : wall;
-            int k = isHexagon[i] ? h++ : w++;
-            timeUs[i] = from.timeUs[k] + (isHexagon[i] ? SETTLED_US : 0);
-            x[i] = from.x[k];
-            y[i] = from.y[k];
-            polarity[i] = from.polarity[k];
+            if (isHexagon[i]) {
+                add(hexagon, h++, SETTLED_US, film);
+            } else {
+                add(wall, w++, 0, film);
+            }
         }
-        int[] segments = segments(timeUs, x, y, polarity);
+        int[] segments = segments(SENSOR, film);
         Map<Integer, Integer> ofHexagon = new HashMap<>();
         int events = 0;
         for (int i = 0; i < n; i++) {
-            if (isHexagon[i] && timeUs[i] > UNTIL_US - 100_000) {
+            if (isHexagon[i] && film.timeUs[i] > UNTIL_US - 100_000) {
                 events++;
                 ofHexagon.merge(segments[i], 1, Integer::sum);
             }
@@ -109,17 +102,16 @@ public class LoneWallTest {
         for (int i = 0; i < wall.size(); i++) {
             double onStrip = wall.x[i] - 10 - PX_PER_S * wall.timeUs[i] * 1e-6;
             if (wall.object[i] == 0 || onStrip >= 0 && onStrip < 150) {
-                film.add(wall.timeUs[i], wall.x[i], wall.y[i], wall.polarity[i]);
+                add(wall, i, 0, film);
             }
         }
-        FlowOutput flow = new FlowOutput(film.size());
-        new Sofas(large, SofasParameters.defaults()).process(film, flow);
+        int[] segments = segments(large, film);
         int behind = 0;
         int withFlow = 0;
         for (int i = 0; i < film.size(); i++) {
             if (film.timeUs[i] > 400_000 && film.x[i] < PX_PER_S * film.timeUs[i] * 1e-6 - 20) {
                 behind++;
-                withFlow += flow.segment[i] == 0 ? 0 : 1;
+                withFlow += segments[i] == 0 ? 0 : 1;
             }
         }
         assertTrue("events " + behind, behind > 1_000);

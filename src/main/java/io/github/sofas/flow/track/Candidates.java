@@ -151,6 +151,15 @@ final class Candidates {
         return appearing == null ? its : appears(appearing);
     }
 
+    /**
+     * The same while the stack tracks nothing but one texture, for which no traces are kept. The texture gets the event
+     * if it enters the picture there; else the plane that remembers the place does.
+     */
+    TrackPlane unexpectedAlone(TrackPlane remembering) {
+        TrackPlane entering = entering();
+        return entering == null || entering == remembering ? remembering : appears(entering);
+    }
+
     private TrackPlane appears(TrackPlane appearing) {
         isAppearing = true;
         // the contour must know this event as the one whose support was asked for last
@@ -158,18 +167,9 @@ final class Candidates {
         return appearing;
     }
 
-    /**
-     * The same while the stack tracks nothing but one texture, for which no traces are kept. The texture gets the event
-     * if it enters the picture there; else the plane that remembers the place does.
-     */
-    TrackPlane unexpectedAlone(TrackPlane remembering) {
-        TrackPlane entering = event.isNearBorder() ? entering() : null;
-        return entering == null || entering == remembering ? remembering : appears(entering);
-    }
-
     /** Returns the texture that comes into sight at the event, which another plane may get otherwise; null for none. */
     private TrackPlane appearing(TrackPlane other) {
-        TrackPlane entering = event.isNearBorder() ? entering() : null;
+        TrackPlane entering = entering();
         if (other == null) {
             return entering;
         }
@@ -181,6 +181,9 @@ final class Candidates {
 
     /** Returns the widest texture that enters the picture at the event and continues from there; null for none. */
     private TrackPlane entering() {
+        if (!event.isNearBorder()) {
+            return null;
+        }
         TrackPlane widest = null;
         for (int i = 0; i < size; i++) {
             Contour its = planes[i].contour();

@@ -200,14 +200,17 @@ final class Contour {
      * @param ageUs age of the event, to be compared with the time for which events are held
      */
     void add(int x, int y, long timeUs, int polarity, long ageUs, long heldUs) {
-        frame.advance(timeUs);
-        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, sixteenths(ageUs, heldUs));
+        see(x, y, timeUs, polarity, sixteenths(ageUs, heldUs));
     }
 
     /** Notes a current event on its cell. */
     void add(int x, int y, long timeUs, int polarity) {
+        see(x, y, timeUs, polarity, 0);
+    }
+
+    private void see(int x, int y, long timeUs, int polarity, int age) {
         frame.advance(timeUs);
-        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, 0);
+        changedReach |= cells.see(frame.x(x, y), frame.y(x, y), polarity, age);
     }
 
     private static int sixteenths(long ageUs, long heldUs) {
